@@ -1,0 +1,62 @@
+# How every target of Toile is built: warnings are errors, floating point is not contracted (results must not depend on
+# the machine's fused multiply-add), sanitizers and coverage by preset.
+
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+find_package(Threads REQUIRED)
+find_package(fmt REQUIRED)
+
+add_library(toile_options INTERFACE)
+target_include_directories(toile_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(toile_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Wno-sign-conversion -Werror -ffp-contract=off)
+# gcc 12 sees an overlap in std::string's operator+ that is not there (gcc bug 105329).
+if(CMAKE_CXX_COMPILER_ID STREQUAL "GNU")
+  target_compile_options(toile_options INTERFACE -Wno-restrict)
+endif()
+target_link_libraries(toile_options INTERFACE fmt::fmt)
+if(TOILE_SANITIZE)
+  target_compile_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(toile_options INTERFACE -fsanitize=${TOILE_SANITIZE})
+endif()
+if(TOILE_COVERAGE)
+  target_compile_options(toile_options INTERFACE --coverage)
+  target_link_options(toile_options INTERFACE --coverage)
+endif()
+
+# toile_library(NAME DIRS a b c LINKS x y): all sources directly in those folders; links are visible to users of the headers.
+function(toile_library name)
+  cmake_parse_arguments(ARG "" "" "DIRS;LINKS;PRIVATE" ${ARGN})
+  set(sources "")
+  foreach(dir IN LISTS ARG_DIRS)
+    file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${dir}/*.cpp)
+    list(APPEND sources ${found})
+  endforeach()
+  if(sources)
+    add_library(${name} STATIC ${sources})
+    target_link_libraries(${name} PUBLIC toile_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
+  else()
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE toile_options ${ARG_LINKS})
+  endif()
+endfunction()
+
+# toile_test(NAME DIR folder LINKS x y): one GoogleTest program of all *_test.cpp in a folder, known to CTest test by test.
+function(toile_test name)
+  cmake_parse_arguments(ARG "" "DIR" "LINKS" ${ARGN})
+  file(GLOB sources CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${ARG_DIR}/*_test.cpp)
+  if(NOT sources)
+    return()
+  endif()
+  add_executable(${name} ${sources})
+  target_link_libraries(${name} PRIVATE toile_options ${ARG_LINKS} rapidcheck GTest::gtest GTest::gmock GTest::gtest_main)
+  target_compile_definitions(${name} PRIVATE TOILE_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  gtest_discover_tests(${name} DISCOVERY_MODE PRE_TEST PROPERTIES TIMEOUT 300 ENVIRONMENT RC_PARAMS=seed=1)
+endfunction()

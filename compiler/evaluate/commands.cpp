@@ -1,0 +1,186 @@
+#include "compiler/evaluate/commands.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/evaluate/bodies.hpp"
+#include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/garments.hpp"
+#include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/want.hpp"
+#include "compiler/units/format.hpp"
+
+namespace toile {
+
+void Commands::define_results() {
+  Scope& names = *session_.modules.front()->scope;
+  for (const syntax::View& command : module().commands) {
+    planned_.push_back({command, nullptr, std::nullopt});
+    const auto drape = syntax::as<syntax::Drape>(command);
+    if (!drape) continue;
+    const auto name = drape->name();
+    DrapeRecord& record = session_.drapes.emplace_back();
+    record.name = session_.name_of(module(), name);
+    record.written = name ? module().at(*name) : module().at(*drape);
+    planned_.back().drape = &record;
+    if (name) define(session_, names, name, [&record]() -> Value { return ResultValue{&record, ""}; });
+  }
+}
+
+void Commands::check() {
+  const Holding<bool> in_commands(session_.in_commands, true);
+  for (Planned& planned : planned_) {
+    if (const auto drape = syntax::as<syntax::Drape>(planned.written)) check_drape(planned, *drape);
+    if (const auto render = syntax::as<syntax::Render>(planned.written)) check_render(planned, *render);
+    if (const auto output = syntax::as<syntax::Export>(planned.written)) check_export(planned, *output);
+    if (const auto print = syntax::as<syntax::Print>(planned.written)) check_print(*print);
+    if (const auto expect = syntax::as<syntax::Expect>(planned.written)) check_expect(*expect);
+  }
+}
+
+void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
+  planned.drape->reached = true;
+  DrapeCommand made;
+  made.written = module().at(drape);
+  made.name = planned.drape->name;
+  bool sound = true;
+  const auto garment_expr = drape.garment();
+  const GarmentInstance* garment =
+      garment_expr ? as_garment(session_, evaluate(session_, scope(), garment_expr), module().at(*garment_expr))
+                   : nullptr;
+  std::shared_ptr<BodyInstance> body;
+  if (const auto body_expr = drape.body()) {
+    body = as_body(session_, evaluate(session_, scope(), body_expr), module().at(*body_expr));
+    sound = body != nullptr;
+  }
+  if (const auto accuracy_expr = drape.accuracy()) {
+    made.accuracy = Wanted{session_, scope()}.positive(accuracy_expr, dimension::number, "the accuracy of a drape");
+    sound = sound && made.accuracy.has_value();
+    if (made.accuracy && *made.accuracy > 0.1) {
+      sound = false;
+      session_.report.add(Problem("E0209", "the accuracy of a drape is the relative residual, 0.1 at most")
+                              .at(module().at(*accuracy_expr))
+                              .help("drape skirt on form as worn to 1e-6"));
+    }
+  }
+  if (garment == nullptr) return;
+  if (!garment->has_fabric) {
+    session_.report.add(
+        Problem("E0409", fmt::format("garment `{}` is draped, but not told what it is made of", garment->draft.name))
+            .at(module().at(*garment_expr), "draped here")
+            .also(garment->draft.written, "no fabric here")
+            .help(fmt::format("garment {} in fabrics.wool_serge {{ ... }}", garment->draft.name)));
+    return;
+  }
+  if (sound) check_bodies(drape, *garment, body.get());
+  if (!sound || garment->index < 0) return;
+  made.garment = garment->index;
+  made.body = body == nullptr ? -1 : index_of(session_, *body);
+  planned.command = made;
+}
+
+void Commands::check_bodies(const syntax::Drape& drape, const GarmentInstance& garment, const BodyInstance* body) {
+  for (std::size_t i = 0; i < garment.worn_on.size(); ++i) {
+    const BodyInstance& worn_on = *garment.worn_on[i];
+    if (&worn_on == body) continue;
+    const std::string& line = garment.draft.wears[i].line;
+    const std::string put = body == nullptr ? "no body" : fmt::format("`{}`", body->spec.name);
+    session_.report.add(Problem("E0505", fmt::format("garment `{}` is worn at `{}.{}`, but draped on {}",
+                                                     garment.draft.name, worn_on.spec.name, line, put))
+                            .at(module().at(drape), "draped here")
+                            .also(garment.draft.wears[i].written, "worn here")
+                            .help(fmt::format("drape {} on {}", garment.draft.name, worn_on.spec.name)));
+    return;
+  }
+}
+
+void Commands::check_print(const syntax::Print& print) {
+  for (const syntax::Expr& value : print.values()) evaluate(session_, scope(), value);
+}
+
+void Commands::check_expect(const syntax::Expect& expect) {
+  const auto condition = expect.condition();
+  const Value value = evaluate(session_, scope(), condition);
+  if (value.unknown() || value.as<Truth>() != nullptr) return;
+  session_.report.add(Problem("E0202", "`expect` needs true or false, and this is " + describe(value))
+                          .at(module().at(*condition), describe(value))
+                          .help("compare it with something: expect a < b"));
+}
+
+std::optional<Command> Commands::next() {
+  if (session_.report.has_errors() || next_ >= planned_.size()) return std::nullopt;
+  const Holding<bool> in_commands(session_.in_commands, true);
+  const Planned& planned = planned_[next_++];
+  running_ = planned.drape;
+  if (const auto print_command = syntax::as<syntax::Print>(planned.written)) return print(*print_command);
+  if (const auto expect_command = syntax::as<syntax::Expect>(planned.written)) return expect(*expect_command);
+  return planned.command;
+}
+
+void Commands::give(const Result& result) {
+  if (running_ != nullptr) running_->result = result;
+}
+
+std::optional<Command> Commands::print(const syntax::Print& print) {
+  PrintCommand made;
+  made.written = module().at(print);
+  for (const syntax::Expr& expr : print.values()) {
+    const Value value = evaluate(session_, scope(), expr);
+    if (session_.report.has_errors()) return std::nullopt;
+    made.text += (made.text.empty() ? "" : " ") + format(value);
+  }
+  return made;
+}
+
+namespace {
+
+/// "worn.folds is 7; worn.area is 0.9 m^2" for all comparisons in a condition.
+void describe_sides(Session& session, const Scope& scope, const syntax::Expr& expr, std::string& found) {
+  const auto add = [&](const syntax::Expr& side) {
+    const Value value = evaluate(session, scope, side);
+    if (!value.known()) return;
+    const std::string written(session.text(scope.module(), side));
+    const std::string text = format(value);
+    if (text == written) return;
+    if (side.kind() == syntax::Kind::Number) return;  // says itself what it is
+    found += (found.empty() ? "" : "; ") + written + " is " + text;
+  };
+  if (const auto unary = syntax::as<syntax::Unary>(expr); unary && unary->operand()) {
+    return describe_sides(session, scope, *unary->operand(), found);
+  }
+  const auto binary = syntax::as<syntax::Binary>(expr);
+  if (!binary) {
+    if (const auto tuple = syntax::as<syntax::Tuple>(expr); tuple && tuple->parts().size() == 1) {
+      describe_sides(session, scope, tuple->parts().front(), found);
+    } else {
+      add(expr);
+    }
+    return;
+  }
+  const auto op = binary->op();
+  const bool logical = op && (op->kind() == syntax::Kind::KwAnd || op->kind() == syntax::Kind::KwOr);
+  for (const auto& side : {binary->left(), binary->right()}) {
+    if (!side) continue;
+    if (logical) {
+      describe_sides(session, scope, *side, found);
+    } else {
+      add(*side);
+    }
+  }
+}
+
+}  // namespace
+
+std::optional<Command> Commands::expect(const syntax::Expect& expect) {
+  ExpectCommand made;
+  made.written = module().at(expect);
+  const auto condition = expect.condition();
+  const Value value = evaluate(session_, scope(), condition);
+  if (session_.report.has_errors()) return std::nullopt;
+  const auto* truth = value.as<Truth>();
+  made.holds = truth != nullptr && value.known() && truth->value;
+  made.text = std::string(session_.text(module(), *condition));
+  describe_sides(session_, scope(), *condition, made.found);
+  return made;
+}
+
+}  // namespace toile

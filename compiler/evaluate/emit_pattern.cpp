@@ -1,0 +1,113 @@
+// The evaluated patterns as stable text: what `toile compile --emit pattern` prints and golden files hold.
+#include <fmt/format.h>
+
+#include "compiler/evaluate/program.hpp"
+#include "compiler/units/format.hpp"
+
+namespace toile {
+namespace {
+
+/// Millimetres to a nanometre: below that nothing is promised.
+std::string mm(double metres) {
+  const std::string text = fmt::format("{:.6f}", metres * 1e3);
+  return text == "-0.000000" ? "0.000000" : text;
+}
+
+std::string point(Vec2 p) {
+  return "(" + mm(p.x) + ", " + mm(p.y) + ")";
+}
+
+std::string shape(const Segment& segment) {
+  if (const auto* line = std::get_if<LineSegment>(&segment)) {
+    return "line " + point(line->from) + " " + point(line->to);
+  }
+  if (const auto* arc = std::get_if<ArcSegment>(&segment)) {
+    constexpr double degrees = 57.29577951308232;
+    return fmt::format("arc about {} radius {} from {:.6f} deg through {:.6f} deg", point(arc->centre), mm(arc->radius),
+                       arc->start * degrees, arc->sweep * degrees);
+  }
+  const auto& cubic = std::get<BezierSegment>(segment);
+  return "bezier " + point(cubic.p0) + " " + point(cubic.p1) + " " + point(cubic.p2) + " " + point(cubic.p3);
+}
+
+std::string edge_name(const PieceEdge& edge) {
+  std::string name = edge.name;
+  if (edge.part > 0) name += fmt::format("[{}]", edge.part);
+  if (edge.side == Side::Mirrored) name += ".mirrored";
+  return name;
+}
+
+void emit_edges(std::string& out, const std::vector<PieceEdge>& edges, const char* indent) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const PieceEdge& edge = edges[i];
+    out += fmt::format("{}edge {} {} length {} allowance {}\n", indent, i, edge_name(edge), mm(edge.curve.length()),
+                       mm(edge.allowance));
+    for (const Segment& segment : edge.curve.segments()) out += fmt::format("{}  {}\n", indent, shape(segment));
+  }
+}
+
+void emit_piece(std::string& out, const Piece& piece) {
+  out += fmt::format("  piece {} quantity {} warp ({}, {})\n", piece.name, piece.quantity,
+                     format_number(piece.warp.x, 9), format_number(piece.warp.y, 9));
+  emit_edges(out, piece.edges, "    ");
+  for (std::size_t i = 0; i < piece.holes.size(); ++i) {
+    out += fmt::format("    hole {}\n", i);
+    emit_edges(out, piece.holes[i], "      ");
+  }
+  if (piece.fold) out += fmt::format("    fold {} {}\n", point(piece.fold->from), point(piece.fold->to));
+  for (const Dart& dart : piece.darts) {
+    out += fmt::format("    dart {} legs {} {} tip {} width {} depth {}\n", dart.name, dart.left_leg, dart.right_leg,
+                       point(dart.tip), mm(dart.width), mm(dart.depth));
+  }
+  for (const Notch& notch : piece.notches) out += fmt::format("    notch edge {} at {}\n", notch.edge, mm(notch.at));
+}
+
+std::string chain(const Chain& links, const Garment& garment) {
+  std::string text;
+  for (const ChainLink& link : links) {
+    const Piece& piece = garment.pieces[static_cast<std::size_t>(link.edge.piece)];
+    text += (text.empty() ? "" : " + ") + piece.name + "." +
+            edge_name(piece.edges[static_cast<std::size_t>(link.edge.edge)]) + (link.forward ? "" : " backwards");
+  }
+  return text;
+}
+
+std::string_view word(Seam::Fullness fullness) {
+  switch (fullness) {
+    case Seam::Fullness::Ease:
+      return " ease ";
+    case Seam::Fullness::Gather:
+      return " gather ";
+    case Seam::Fullness::Stretch:
+      return " stretch ";
+    case Seam::Fullness::None:
+      break;
+  }
+  return "";
+}
+
+void emit_garment(std::string& out, const Garment& garment) {
+  out += fmt::format("garment {}\n", garment.name);
+  if (!garment.fabric.name.empty()) out += fmt::format("  fabric {}\n", garment.fabric.name);
+  if (!garment.textile.name.empty()) out += fmt::format("  textile {}\n", garment.textile.name);
+  for (const Piece& piece : garment.pieces) emit_piece(out, piece);
+  for (const Seam& seam : garment.seams) {
+    const std::string_view fullness = word(seam.fullness);
+    out += fmt::format("  {} {} to {}{}{}\n", seam.is_dart ? "close" : "sew", chain(seam.first, garment),
+                       chain(seam.second, garment), fullness, fullness.empty() ? "" : mm(seam.stated));
+  }
+  for (const Wear& wear : garment.wears) {
+    out += fmt::format("  wear {} at {} {} from {}\n", chain(wear.chain, garment), wear.line,
+                       wear.held ? "held" : "placed", format_number(wear.from, 9));
+  }
+}
+
+}  // namespace
+
+std::string emit_pattern(const Program& program) {
+  std::string out = "pattern 1 (lengths in mm)\n";
+  for (const Garment& garment : program.garments()) emit_garment(out, garment);
+  return out;
+}
+
+}  // namespace toile

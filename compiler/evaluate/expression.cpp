@@ -1,0 +1,369 @@
+#include "compiler/evaluate/expression.hpp"
+
+#include <fmt/format.h>
+
+#include <charconv>
+#include <cmath>
+
+#include "compiler/diag/nearest.hpp"
+#include "compiler/evaluate/arithmetic.hpp"
+#include "compiler/evaluate/call.hpp"
+#include "compiler/evaluate/names.hpp"
+#include "compiler/units/unit.hpp"
+
+namespace toile {
+namespace {
+
+using syntax::Kind;
+
+constexpr int deepest = 1000;           // expressions inside of expressions, definitions and calls included
+constexpr long most_steps = 5'000'000;  // expressions evaluated in all
+constexpr std::size_t longest_list = 10'000;
+
+/// One expression being evaluated; keeps count of depth and steps.
+class Step {
+ public:
+  Step(Session& session, const Scope& scope, const syntax::Expr& expr) : session_(session) {
+    ++session.depth;
+    ++session.steps;
+    if (session.exhausted || (session.depth <= deepest && session.steps <= most_steps)) return;
+    session.exhausted = true;
+    session.report.add(Problem("E0113", session.steps > most_steps ? "this script takes too many steps to evaluate"
+                                                                   : "definitions and calls are nested too deeply here")
+                           .at(scope.module().at(expr)));
+  }
+  ~Step() {
+    if (--session_.depth == 0 && session_.steps <= most_steps) session_.exhausted = false;
+  }
+  Step(const Step&) = delete;
+  Step& operator=(const Step&) = delete;
+
+ private:
+  Session& session_;
+};
+
+/// One evaluation: the places of its operands are wanted again and again.
+class Evaluation {
+ public:
+  Evaluation(Session& session, const Scope& scope) : session_(session), scope_(scope), module_(scope.module()) {}
+
+  Value of(const syntax::Expr& expr) {
+    switch (expr.kind()) {
+      case Kind::If:
+        return choice(*syntax::as<syntax::If>(expr));
+      case Kind::Binary:
+        return binary(*syntax::as<syntax::Binary>(expr));
+      case Kind::Unary:
+        return unary(*syntax::as<syntax::Unary>(expr));
+      case Kind::Member:
+        return field(*syntax::as<syntax::Member>(expr));
+      case Kind::Call:
+        return call(session_, scope_, *syntax::as<syntax::Call>(expr));
+      case Kind::Index:
+        return element(*syntax::as<syntax::Index>(expr));
+      case Kind::NameRef:
+        return name(*syntax::as<syntax::NameRef>(expr));
+      case Kind::Number:
+        return quantity(*syntax::as<syntax::Number>(expr));
+      case Kind::String:
+        return Text{syntax::string_value(expr, session_.sources[module_.file])};
+      case Kind::Colour:
+        return colour(expr);
+      case Kind::Boolean:
+        return Truth{syntax::as<syntax::Boolean>(expr)->value()};
+      case Kind::Tuple:
+        return tuple(*syntax::as<syntax::Tuple>(expr));
+      case Kind::List:
+        return list(*syntax::as<syntax::List>(expr));
+      default:
+        return Unknown{};
+    }
+  }
+
+ private:
+  Location at(const syntax::View& view) const { return module_.at(view); }
+  Value value(const std::optional<syntax::Expr>& expr) { return evaluate(session_, scope_, expr); }
+  Value supposed(const std::optional<syntax::Expr>& expr) { return suppose(session_, scope_, expr); }
+
+  Value name(const syntax::NameRef& ref) {
+    const auto token = ref.name();
+    return token ? look_up(session_, scope_, *token, Wish::Value) : Value{};
+  }
+
+  Value quantity(const syntax::Number& literal) {
+    const auto digits = literal.digits();
+    if (!digits) return Unknown{};
+    const double value = syntax::number_value(*digits, session_.sources[module_.file]);
+    const auto unit_token = literal.unit();
+    if (!unit_token) return checked(session_, number(value), at(literal));
+    const std::string_view text = session_.text(module_, *unit_token);
+    const std::optional<Unit> unit = parse_unit(text);
+    if (unit) {
+      return checked(session_, Quantity{unit->dimension, value * unit->factor, unit->percent}, at(literal));
+    }
+    const std::string_view part = unknown_unit_part(text);
+    session_.report.add(Problem("E0204", fmt::format("`{}` is no unit", part))
+                            .at(at(*unit_token))
+                            .help(suggestion(part, unit_names())));
+    return Unknown{};
+  }
+
+  /// #rgb or #rrggbb; an alpha has no meaning on cloth and is left out.
+  Value colour(const syntax::Expr& literal) {
+    std::string_view hex = session_.text(module_, literal);
+    hex.remove_prefix(std::min<std::size_t>(1, hex.size()));
+    const std::size_t digits = hex.size() <= 4 ? 1 : 2;
+    std::array<std::uint8_t, 3> channels{};
+    for (std::size_t i = 0; i < 3 && (i + 1) * digits <= hex.size(); ++i) {
+      const char* begin = hex.data() + i * digits;
+      std::from_chars(begin, begin + digits, channels[i], 16);
+      if (digits == 1) channels[i] = static_cast<std::uint8_t>(channels[i] * 17);
+    }
+    return Colour{channels[0], channels[1], channels[2]};
+  }
+
+  Value unary(const syntax::Unary& expr) {
+    const auto op = expr.op();
+    const auto operand = expr.operand();
+    if (!op || !operand) return Unknown{};
+    const Value value_of_operand = value(operand);
+    if (op->kind() == Kind::Minus) return apply_minus(session_, {value_of_operand, at(*operand)});
+    const std::optional<Value> truth = truth_of(value_of_operand, *operand, "`not`");
+    if (!truth) return Unknown{};
+    return {Truth{!truth->as<Truth>()->value}, truth->known()};
+  }
+
+  /// A truth as it stands, or an error.
+  std::optional<Value> truth_of(const Value& condition, const syntax::Expr& written, const std::string& whose) {
+    if (condition.unknown()) return std::nullopt;
+    if (condition.as<Truth>() != nullptr) return condition;
+    session_.report.add(Problem("E0202", whose + " needs true or false, and this is " + describe(condition))
+                            .at(at(written), describe(condition))
+                            .help("compare it with something: `a < b`"));
+    return std::nullopt;
+  }
+
+  Value binary(const syntax::Binary& expr) {
+    const auto op = expr.op();
+    const auto left = expr.left();
+    const auto right = expr.right();
+    if (!op || !left || !right) return Unknown{};
+    if (op->kind() == Kind::KwAnd || op->kind() == Kind::KwOr) return logical(op->kind(), *left, *right);
+    const Value a = value(left);
+    const Value b = value(right);
+    return apply_binary(session_, op->kind(), {a, at(*left)}, {b, at(*right)}, at(expr));
+  }
+
+  Value logical(Kind op, const syntax::Expr& left, const syntax::Expr& right) {
+    const std::string whose = "`" + std::string(syntax::spelling(op)) + "`";
+    const std::optional<Value> a = truth_of(value(left), left, whose);
+    const bool decided = a && a->known() && a->as<Truth>()->value == (op == Kind::KwOr);
+    const std::optional<Value> b = truth_of(decided ? supposed(right) : value(right), right, whose);
+    if (decided) return *a;
+    if (!a || !b) return {Truth{}, false};
+    return {Truth{b->as<Truth>()->value}, a->known() && b->known()};
+  }
+
+  Value choice(const syntax::If& expr) {
+    const auto condition_expr = expr.condition();
+    const auto then_expr = expr.then();
+    const auto else_expr = expr.otherwise();
+    if (!condition_expr || !then_expr || !else_expr) return Unknown{};
+    const std::optional<Value> condition = truth_of(value(condition_expr), *condition_expr, "`if`");
+    const bool decided = condition && condition->known();
+    const bool taken = decided && condition->as<Truth>()->value;
+    const Value yes = decided && taken ? value(then_expr) : supposed(then_expr);
+    const Value no = decided && !taken ? value(else_expr) : supposed(else_expr);
+    if (!alike(yes, no)) {
+      const std::string a = describe(yes);
+      const std::string b = describe(no);
+      session_.report.add(Problem("E0202", "the branches of `if` differ: " + a + " or " + b)
+                              .at(at(*then_expr), a)
+                              .at(at(*else_expr), b));
+      return Unknown{};
+    }
+    if (decided) return taken ? yes : no;
+    return yes.unknown() ? forget(no) : forget(yes);
+  }
+
+  Value field(const syntax::Member& expr) {
+    const auto object = expr.object();
+    const auto name_token = expr.name();
+    if (!object) return Unknown{};
+    const Value of_object = value(object);
+    if (!name_token) return Unknown{};
+    const Value found = member(session_, scope_, of_object, *name_token, at(*object));
+    return session_.supposing > 0 ? forget(found) : found;
+  }
+
+  Value tuple(const syntax::Tuple& expr) {
+    const std::vector<syntax::Expr> parts = expr.parts();
+    if (parts.size() == 1) return value(parts[0]);
+    std::array<double, 3> coordinates{};
+    std::optional<Dimension> shared;
+    bool known = true;
+    bool sound = parts.size() == 2 || parts.size() == 3;
+    for (std::size_t i = 0; i < parts.size(); ++i) {
+      const Value part = value(parts[i]);
+      const auto* q = part.as<Quantity>();
+      if (q == nullptr) {
+        sound = false;
+        if (part.unknown()) continue;
+        session_.report.add(Problem("E0202", "a coordinate is a length, and this is " + describe(part))
+                                .at(at(parts[i]), describe(part)));
+        continue;
+      }
+      if (shared && *shared != q->dimension) {
+        sound = false;
+        session_.report.add(Problem("E0201", "the coordinates of a point must have one dimension, here " +
+                                                 describe(*shared) + " and " + describe(q->dimension))
+                                .at(at(parts[0]), describe(*shared))
+                                .at(at(parts[i]), describe(q->dimension))
+                                .help(q->dimension.plain() || shared->plain() ? "write `0cm`, not `0`" : ""));
+        continue;
+      }
+      shared = q->dimension;
+      known = known && part.known();
+      if (i < 3) coordinates[i] = q->si;
+    }
+    if (!sound) return Unknown{};
+    if (parts.size() == 2) return {Point{*shared, {coordinates[0], coordinates[1]}}, known};
+    return {Point3{*shared, coordinates}, known};
+  }
+
+  Value list(const syntax::List& expr) {
+    const std::vector<syntax::Expr> elements = expr.elements();
+    const auto generator = expr.generator();
+    if (generator) return elements.empty() ? Value{} : comprehension(*generator, elements.front());
+    std::vector<Value> items;
+    bool known = true;
+    for (const syntax::Expr& element_expr : elements) {
+      items.push_back(value(element_expr));
+      known = known && items.back().known();
+      if (alike(items.front(), items.back())) continue;
+      const std::string first = describe(items.front());
+      const std::string other = describe(items.back());
+      session_.report.add(Problem("E0202", "the elements of a list are of one kind, here " + first + " and " + other)
+                              .at(at(elements.front()), first)
+                              .at(at(element_expr), other));
+      return Unknown{};
+    }
+    // A list with an element that is not known keeps its length and its other elements.
+    return list_value(std::move(items), known);
+  }
+
+  Value comprehension(const syntax::For& generator, const syntax::Expr& element_expr) {
+    const std::optional<std::vector<Value>> values = generated(generator);
+    const auto variable = generator.name();
+    if (!values || !variable) return Unknown{};
+    std::vector<Value> items;
+    bool known = true;
+    for (const Value& each : *values) {
+      Scope inner(scope_.module(), &scope_, true, signature(each));
+      inner.define_value(session_.name_of(module_, variable), at(*variable), each);
+      items.push_back(evaluate(session_, inner, element_expr));
+      known = known && items.back().known();
+      if (session_.exhausted) return Unknown{};
+    }
+    return list_value(std::move(items), known);
+  }
+
+  /// What the variable of a comprehension runs through; one value without magnitude when that is not known.
+  std::optional<std::vector<Value>> generated(const syntax::For& generator) {
+    const auto from_expr = generator.from();
+    const auto to_expr = generator.to();
+    const Value from = value(from_expr);
+    if (!to_expr) {
+      if (from.unknown()) return std::nullopt;
+      if (const auto* given = from.as<ListValue>()) return *given->items;
+      session_.report.add(Problem("E0202", "`for` runs through a list or a range, and this is " + describe(from))
+                              .at(at(*from_expr), describe(from))
+                              .help("write `for i in 1..4`"));
+      return std::nullopt;
+    }
+    const Value to = value(to_expr);
+    if (!whole_number(from, *from_expr) || !whole_number(to, *to_expr)) return std::nullopt;
+    if (!from.known() || !to.known()) return std::vector<Value>{number(0, false)};
+    const double first = from.as<Quantity>()->si;
+    const double last = to.as<Quantity>()->si;
+    if (last - first >= static_cast<double>(longest_list)) {
+      session_.report.add(Problem("E0113", fmt::format("a list of more than {} elements", longest_list))
+                              .at({module_.file, {from_expr->span().begin, to_expr->span().end}}));
+      return std::nullopt;
+    }
+    std::vector<Value> values;
+    for (double i = first; i <= last; ++i) values.push_back(number(i));
+    return values;
+  }
+
+  bool whole_number(const Value& candidate, const syntax::Expr& written) {
+    if (candidate.unknown()) return false;
+    const auto* q = candidate.as<Quantity>();
+    if (q != nullptr && q->dimension.plain() && (!candidate.known() || q->si == std::round(q->si))) return true;
+    const std::string found = q != nullptr && q->dimension.plain() ? format(candidate) : describe(candidate);
+    session_.report.add(Problem("E0202", "a whole number is wanted, and this is " + found).at(at(written), found));
+    return false;
+  }
+
+  Value element(const syntax::Index& expr) {
+    const auto object = expr.object();
+    const auto index_expr = expr.index();
+    const Value sequence = value(object);
+    const Value index = value(index_expr);
+    if (sequence.unknown() || index.unknown()) return Unknown{};
+    const auto* items = sequence.as<ListValue>();
+    if (items == nullptr) {
+      session_.report.add(Problem("E0202", "only a list has elements, and this is " + describe(sequence))
+                              .at(at(*object), describe(sequence)));
+      return Unknown{};
+    }
+    if (!whole_number(index, *index_expr)) return Unknown{};
+    const std::vector<Value>& all = *items->items;
+    const double place = index.as<Quantity>()->si;
+    if (session_.supposing > 0 || !index.known()) return all.empty() ? Value{} : forget(all.front());
+    if (place >= 1 && place <= static_cast<double>(all.size())) return all[static_cast<std::size_t>(place) - 1];
+    session_.report.add(Problem("E0209", fmt::format("element {} of a list of {}", format(index), all.size()))
+                            .at(at(*index_expr))
+                            .also(at(*object), fmt::format("{} elements", all.size()))
+                            .help("elements count from 1"));
+    return Unknown{};
+  }
+
+  Session& session_;
+  const Scope& scope_;
+  const Module& module_;
+};
+
+}  // namespace
+
+Value evaluate(Session& session, const Scope& scope, const syntax::Expr& expr) {
+  const Step step(session, scope, expr);
+  if (session.exhausted) return Unknown{};
+  return Evaluation(session, scope).of(expr);
+}
+
+Value evaluate(Session& session, const Scope& scope, const std::optional<syntax::Expr>& expr) {
+  return expr ? evaluate(session, scope, *expr) : Value{};
+}
+
+Value evaluate_curve(Session& session, const Scope& scope, const std::optional<syntax::Expr>& expr) {
+  if (!expr) return Unknown{};
+  const auto ref = syntax::as<syntax::NameRef>(*expr);
+  if (!ref || !ref->name()) return evaluate(session, scope, *expr);
+  return look_up(session, scope, *ref->name(), Wish::Curve);
+}
+
+Value suppose(Session& session, const Scope& scope, const std::optional<syntax::Expr>& expr) {
+  if (!expr) return Unknown{};
+  const auto key = std::tuple(scope.module().file, expr->id, scope.signature());
+  if (const auto found = session.supposed_branches.find(key); found != session.supposed_branches.end()) {
+    return found->second;
+  }
+  session.supposed_branches[key] = Value{};  // what a recursion that comes by here again sees
+  const Holding<int> supposing(session.supposing, session.supposing + 1);
+  const Value value = forget(evaluate(session, scope, *expr));
+  session.supposed_branches[key] = value;
+  return value;
+}
+
+}  // namespace toile

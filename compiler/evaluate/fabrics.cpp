@@ -1,0 +1,246 @@
+#include "compiler/evaluate/fabrics.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+#include <variant>
+
+#include "compiler/diag/nearest.hpp"
+#include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/want.hpp"
+#include "compiler/units/format.hpp"
+#include "compiler/units/unit.hpp"
+
+namespace toile {
+namespace {
+
+using Both = std::optional<WarpWeft> FabricSheet::*;
+using Single = std::optional<double> FabricSheet::*;
+
+/// A row of the sheet: its name and unit there, where it goes, and what no cloth exceeds [SI].
+struct RowKind {
+  std::string_view name;
+  std::string_view unit;
+  std::variant<Both, Single> place;
+  double least;
+  double most;
+};
+
+const std::vector<RowKind>& row_kinds() {
+  using S = FabricSheet;
+  // Bounds are those of what cloths, leathers and films are, tenfold: beyond them a unit or a digit is wrong.
+  static const std::vector<RowKind> rows{
+      {"LT", "1", &S::lt, 0.01, 3},
+      {"WT", "gf*cm/cm^2", &S::wt, 1e-3, 1e3},
+      {"RT", "%", &S::rt, 0, 1},
+      {"EMT", "%", &S::emt, 1e-5, 5},
+      {"G", "gf/cm/deg", &S::g, 1e-3, 1e5},
+      {"2HG", "gf/cm", &S::hg, 0, 1e3},
+      {"2HG5", "gf/cm", &S::hg5, 0, 1e3},
+      {"B", "gf*cm^2/cm", &S::b, 1e-9, 1},
+      {"2HB", "gf*cm/cm", &S::hb, 0, 10},
+      {"LC", "1", &S::lc, 0, 3},
+      {"WC", "gf*cm/cm^2", &S::wc, 0, 1e2},
+      {"RC", "%", &S::rc, 0, 1},
+      {"T0", "mm", &S::t0, 1e-6, 0.1},
+      {"Tm", "mm", &S::tm, 1e-6, 0.1},
+      {"W", "mg/cm^2", &S::weight, 1e-4, 20},
+      {"MIU", "1", &S::miu, 0, 5},
+      {"MMD", "1", &S::mmd, 0, 5},
+      {"SMD", "um", &S::smd, 0, 1e-2},
+      {"twist", "gf*cm^2/cm", &S::twist, 0, 1},
+      {"stretch", "N/m", &S::stretch, 1e-1, 1e9},
+      {"shear", "N/m", &S::shear, 1e-3, 1e8},
+  };
+  return rows;
+}
+
+std::vector<std::string> row_names() {
+  std::vector<std::string> names;
+  for (const RowKind& row : row_kinds()) names.emplace_back(row.name);
+  names.emplace_back("source");
+  return names;
+}
+
+class FabricReader {
+ public:
+  FabricReader(Session& session, const Scope& scope, const syntax::Fabric& written)
+      : session_(session), scope_(scope), module_(scope.module()), written_(written) {}
+
+  std::optional<FabricSheet> read() {
+    if (!read_base()) return std::nullopt;
+    sheet_.name = session_.name_of(module_, written_.name());
+    sheet_.written = module_.at(written_);
+    for (const syntax::View item : syntax::items(written_)) {
+      if (const auto row = syntax::as<syntax::Row>(item)) read_row(*row);
+    }
+    check_whole();
+    return sound_ ? std::optional(sheet_) : std::nullopt;
+  }
+
+ private:
+  bool read_base() {
+    const auto base_expr = written_.base();
+    if (!base_expr) return true;
+    const Value base = evaluate(session_, scope_, base_expr);
+    if (base.unknown()) return false;
+    if (const auto* fabric = base.as<FabricValue>()) {
+      sheet_ = *fabric->sheet;
+      return true;
+    }
+    session_.report.add(Problem("E0202", "a fabric is varied from a fabric, and this is " + describe(base))
+                            .at(module_.at(*base_expr), describe(base)));
+    return false;
+  }
+
+  void read_row(const syntax::Row& row) {
+    const auto token = row.name();
+    if (!token) return;
+    const std::string name = session_.name_of(module_, token);
+    const auto kind =
+        std::find_if(row_kinds().begin(), row_kinds().end(), [&](const RowKind& each) { return each.name == name; });
+    if (kind == row_kinds().end() && name != "source") {
+      report_unknown(session_, module_, *token, "a fabric has no row `" + name + "`", row_names(), "E0402");
+      sound_ = false;
+      return;
+    }
+    if (const auto [earlier, is_new] = seen_.try_emplace(name, module_.at(*token)); !is_new) {
+      session_.report.add(Problem("E0404", "row `" + name + "` is given twice")
+                              .at(module_.at(*token), "again here")
+                              .also(earlier->second, "first here"));
+      sound_ = false;
+      return;
+    }
+    if (name == "source") return read_source(row);
+    read_measurement(row, *kind);
+  }
+
+  void read_source(const syntax::Row& row) {
+    const std::vector<syntax::Expr> values = row.values();
+    if (values.empty()) return;
+    const Wanted wanted{session_, scope_};
+    if (const auto text = wanted.text(values.front(), "a source")) sheet_.source = *text;
+  }
+
+  void read_measurement(const syntax::Row& row, const RowKind& kind) {
+    const std::vector<syntax::Expr> values = row.values();
+    const bool both = std::holds_alternative<Both>(kind.place);
+    const std::size_t most = both ? 2 : 1;
+    if (values.empty()) {
+      sound_ = false;
+      return;
+    }
+    if (values.size() > most) {
+      session_.report.add(
+          Problem("E0403", fmt::format("row `{}` has {}", kind.name,
+                                       both ? "two values at most: warp, weft" : "one value for both directions"))
+              .at(module_.at(values[most]), "this is one too many"));
+      sound_ = false;
+      return;
+    }
+    std::vector<double> read;
+    for (const syntax::Expr& value : values) {
+      if (const auto si = measurement(value, kind)) read.push_back(*si);
+    }
+    if (read.size() != values.size()) {
+      sound_ = false;
+    } else if (both) {
+      sheet_.*std::get<Both>(kind.place) = WarpWeft{read.front(), read.back()};
+    } else {
+      sheet_.*std::get<Single>(kind.place) = read.front();
+    }
+  }
+
+  std::optional<double> measurement(const syntax::Expr& expr, const RowKind& kind) {
+    const Unit unit = parse_unit(kind.unit).value_or(Unit{});
+    const Wanted wanted{session_, scope_};
+    const Value value = evaluate(session_, scope_, expr);
+    if (value.unknown()) return std::nullopt;
+    const auto* quantity = value.as<Quantity>();
+    if (quantity == nullptr || quantity->dimension != unit.dimension) {
+      const std::string in_unit = kind.unit == "1" ? "a plain number" : fmt::format("in {}", kind.unit);
+      session_.report.add(
+          Problem("E0201", fmt::format("row `{}` is {}, and this is {}", kind.name, in_unit, describe(value)))
+              .at(module_.at(expr), describe(value))
+              .help(kind.unit == "1" ? "" : fmt::format("write it as on the sheet: {} 1 {}", kind.name, kind.unit)));
+      return std::nullopt;
+    }
+    if (!wanted.there(expr, value, "a fabric")) return std::nullopt;
+    const double si = quantity->si;
+    if (si >= kind.least && si <= kind.most) return si;
+    const auto in_unit = [&](double x) {
+      return format_number(x / unit.factor, 4) + (kind.unit == "1" ? "" : " " + std::string(kind.unit));
+    };
+    session_.report.add(
+        Problem("E0403", fmt::format("no cloth has {} = {}", kind.name, in_unit(si)))
+            .at(module_.at(expr), si < 0 ? "this is negative" : "")
+            .help(fmt::format("{} lies between {} and {}", kind.name, in_unit(kind.least), in_unit(kind.most))));
+    return std::nullopt;
+  }
+
+  void check_whole() {
+    if (!module_.broken(written_.span())) {
+      missing(!sheet_.weight && !seen_.contains("W"), "weight", "W 19.2 mg/cm^2");
+      missing(!sheet_.b && !seen_.contains("B"), "bending stiffness", "B 0.07 gf*cm^2/cm, 0.06 gf*cm^2/cm");
+    }
+    if (sound_ && sheet_.lt && sheet_.wt && sheet_.emt) check_tensile();
+  }
+
+  void missing(bool is_missing, std::string_view what, std::string_view example) {
+    if (!is_missing) return;
+    sound_ = false;
+    const auto name = written_.name();
+    session_.report.add(
+        Problem("E0401", fmt::format("fabric `{}` has no {} (row {})", sheet_.name, what, example.substr(0, 1)))
+            .at(name ? module_.at(*name) : module_.at(written_))
+            .help(fmt::format("add a row like `{}`", example)));
+  }
+
+  /// WT = LT * Fm * EMT / 2: the work under the curve is what its linearity says.
+  void check_tensile() {
+    constexpr double end_force = 490.3325;  // [N/m] 500 gf/cm
+    const auto check = [&](double lt, double emt, double wt, std::string_view direction) {
+      const double expected = lt * end_force * emt / 2;
+      if (std::abs(wt - expected) <= 0.02 * expected) return;
+      const double in_kes = parse_unit("gf*cm/cm^2")->factor;
+      const auto at = seen_.find("WT");
+      session_.report.add(
+          Problem(
+              "W0405",
+              fmt::format("the {} rows of fabric `{}` contradict each other: WT is {} gf*cm/cm^2, and LT * "
+                          "Fm * EMT / 2 is {}",
+                          direction, sheet_.name, format_number(wt / in_kes, 4), format_number(expected / in_kes, 4)))
+              .at(at == seen_.end() ? sheet_.written : at->second)
+              .help("one of LT, WT and EMT is mistyped"));
+    };
+    check(sheet_.lt->warp, sheet_.emt->warp, sheet_.wt->warp, "warp");
+    if (sheet_.lt->weft == sheet_.lt->warp && sheet_.emt->weft == sheet_.emt->warp &&
+        sheet_.wt->weft == sheet_.wt->warp) {
+      return;
+    }
+    check(sheet_.lt->weft, sheet_.emt->weft, sheet_.wt->weft, "weft");
+  }
+
+  Session& session_;
+  const Scope& scope_;
+  const Module& module_;
+  const syntax::Fabric& written_;
+  FabricSheet sheet_;
+  std::map<std::string, Location> seen_;
+  bool sound_ = true;
+};
+
+}  // namespace
+
+void define_fabric(Session& session, Scope& scope, const syntax::Fabric& written) {
+  define(session, scope, written.name(), [&session, &scope, written]() -> Value {
+    auto sheet = FabricReader(session, scope, written).read();
+    if (!sheet) return Unknown{};
+    return FabricValue{std::make_shared<const FabricSheet>(std::move(*sheet))};
+  });
+}
+
+}  // namespace toile

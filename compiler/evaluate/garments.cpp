@@ -1,0 +1,172 @@
+#include "compiler/evaluate/garments.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/evaluate/definitions.hpp"
+#include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/pieces.hpp"
+#include "compiler/evaluate/sewing.hpp"
+
+namespace toile {
+namespace {
+
+/// Builds one garment: names first, then pieces, then what joins them.
+class GarmentBuilder {
+ public:
+  GarmentBuilder(Session& session, const Scope& scope, const syntax::Garment& written, const std::string& name)
+      : session_(session), garment_(*session.garment_instances.emplace_back(std::make_unique<GarmentInstance>())) {
+    garment_.written = written;
+    garment_.draft.name = name;
+    const auto token = written.name();
+    garment_.draft.written = token ? scope.module().at(*token) : scope.module().at(written);
+    outer_ = &scope;
+  }
+
+  GarmentInstance& build(const std::vector<std::optional<Given>>& arguments) {
+    std::string kinds;
+    for (const auto& argument : arguments) kinds += argument ? signature(argument->value) : "-";
+    garment_.scope = std::make_unique<Scope>(outer_->module(), outer_, false, kinds);
+    define_names(arguments);
+    for (const auto& definition : garment_.scope->definitions()) force(session_, *definition);
+    read_cloth();
+    draft_pieces();
+    for (const syntax::View item : syntax::items(garment_.written)) {
+      if (const auto sew = syntax::as<syntax::Sew>(item)) read_seam(session_, garment_, *sew);
+      if (const auto wear = syntax::as<syntax::Wear>(item)) read_wear(session_, garment_, *wear);
+    }
+    if (garment_.sound) make();
+    return garment_;
+  }
+
+ private:
+  void define_names(const std::vector<std::optional<Given>>& arguments) {
+    Scope& scope = *garment_.scope;
+    if (const auto parameters = garment_.written.parameters()) {
+      define_parameters(session_, scope, *parameters, arguments);
+    }
+    for (const syntax::View item : syntax::items(garment_.written)) {
+      if (const auto let = syntax::as<syntax::Let>(item)) define_let(session_, scope, *let);
+      if (const auto fn = syntax::as<syntax::Fn>(item)) define_function(session_, scope, *fn);
+      if (const auto param = syntax::as<syntax::Param>(item)) {
+        define_param(session_, scope, *param, garment_.draft.name + ".");
+      }
+      if (const auto piece = syntax::as<syntax::Piece>(item)) define_piece(*piece);
+    }
+    PiecePlanner(session_, garment_).plan_all();
+    for (const auto& piece : garment_.pieces) {
+      piece->scope = std::make_unique<Scope>(scope.module(), &scope);
+      define_piece_names(session_, *piece);
+    }
+  }
+
+  void define_piece(const syntax::Piece& written) {
+    auto piece = std::make_unique<PieceInstance>();
+    piece->name = session_.name_of(outer_->module(), written.name());
+    piece->garment = &garment_;
+    piece->written = written;
+    const PieceRef reference = piece.get();
+    const Definition* made =
+        define(session_, *garment_.scope, written.name(), [reference]() -> Value { return reference; });
+    if (made == nullptr) {
+      garment_.sound = false;
+      return;
+    }
+    garment_.pieces.push_back(std::move(piece));
+  }
+
+  void read_cloth() {
+    if (const auto fabric_expr = garment_.written.fabric()) {
+      const Value value = evaluate(session_, *garment_.scope, fabric_expr);
+      garment_.has_fabric = true;
+      if (const auto* fabric = value.as<FabricValue>()) {
+        garment_.draft.fabric = *fabric->sheet;
+      } else {
+        refuse(value, *fabric_expr, "a fabric");
+      }
+    }
+    if (const auto textile_expr = garment_.written.textile()) {
+      const Value value = evaluate(session_, *garment_.scope, textile_expr);
+      if (const auto* textile = value.as<TextileValue>()) {
+        garment_.draft.textile = *textile->textile;
+      } else if (const auto* colour = value.as<Colour>()) {
+        garment_.draft.textile = {"", {{*colour, 0.01}}, {{*colour, 0.01}}};
+      } else {
+        refuse(value, *textile_expr, "a textile or a colour");
+      }
+    }
+  }
+
+  void refuse(const Value& value, const syntax::Expr& written, const std::string& wanted) {
+    garment_.sound = false;
+    if (value.unknown()) return;
+    session_.report.add(Problem("E0202", fmt::format("{} is wanted here, and this is {}", wanted, describe(value)))
+                            .at(outer_->module().at(written), describe(value)));
+  }
+
+  void draft_pieces() {
+    for (const auto& piece : garment_.pieces) {
+      garment_.draft.pieces.push_back(draft_piece(session_, *piece));
+      garment_.sound = garment_.sound && piece->sound;
+    }
+  }
+
+  /// Unfolds, cuts darts, pairs seams and checks the geometry.
+  void make() {
+    if (!outer_->module().parsed.errors.empty()) return;  // parts may be missing
+    std::vector<Diagnostic> found;
+    Garment made = make_garment(garment_.draft, found);
+    for (Diagnostic& diagnostic : found) {
+      if (diagnostic.severity == Severity::Error) garment_.sound = false;
+      session_.report.add(std::move(diagnostic));
+    }
+    if (!garment_.sound) return;
+    garment_.index = static_cast<int>(session_.garments.size());
+    session_.garments.push_back(std::move(made));
+  }
+
+  Session& session_;
+  GarmentInstance& garment_;
+  const Scope* outer_ = nullptr;
+};
+
+}  // namespace
+
+void define_garment(Session& session, Scope& scope, const syntax::Garment& written) {
+  const std::string name = session.name_of(scope.module(), written.name());
+  if (written.parameters()) {
+    session.garment_templates.push_back({written, &scope, name});
+    define(session, scope, written.name(),
+           [garment = GarmentTemplateRef{&session.garment_templates.back()}]() -> Value { return garment; });
+    return;
+  }
+  define(session, scope, written.name(), [&session, &scope, written, name]() -> Value {
+    return GarmentRef{&GarmentBuilder(session, scope, written, name).build({})};
+  });
+}
+
+Value instantiate(Session& session, const GarmentTemplate& garment,
+                  const std::vector<std::optional<Given>>& arguments) {
+  if (session.supposing > 0) return Unknown{};  // nothing is cut on supposition
+  return GarmentRef{&GarmentBuilder(session, *garment.scope, garment.written, garment.name).build(arguments)};
+}
+
+GarmentInstance* as_garment(Session& session, const Value& value, Location at) {
+  if (const auto* garment = value.as<GarmentRef>()) return *garment;
+  if (value.unknown()) return nullptr;
+  if (const auto* form = value.as<GarmentTemplateRef>()) {
+    for (const Formal& formal : formals_of(session, (*form)->scope->module(), (*form)->written.parameters())) {
+      if (formal.optional) continue;
+      session.report.add(Problem("E0108", fmt::format("garment `{}` needs `{}`", (*form)->name, formal.name))
+                             .at(at, "not given here"));
+      return nullptr;
+    }
+    const Value made = instantiate(session, **form, {});
+    return *made.as<GarmentRef>();
+  }
+  session.report.add(
+      Problem("E0202", "a garment is wanted here, and this is " + describe(value)).at(at, describe(value)));
+  return nullptr;
+}
+
+}  // namespace toile

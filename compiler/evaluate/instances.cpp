@@ -1,0 +1,26 @@
+#include "compiler/evaluate/instances.hpp"
+
+#include <algorithm>
+
+namespace toile {
+
+bool Module::broken(Span span) const {
+  return std::any_of(parsed.errors.begin(), parsed.errors.end(), [&](const syntax::SyntaxError& error) {
+    return error.span.begin <= span.end && span.begin <= error.span.end;
+  });
+}
+
+std::vector<std::string> PieceInstance::edge_names() const {
+  std::vector<std::string> names;
+  for (const PlannedEdge& edge : plan.edges) names.push_back(edge.name);
+  return names;
+}
+
+PieceInstance* GarmentInstance::piece(std::string_view piece_name) const {
+  for (const auto& piece : pieces) {
+    if (piece->name == piece_name) return piece.get();
+  }
+  return nullptr;
+}
+
+}  // namespace toile

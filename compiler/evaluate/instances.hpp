@@ -1,0 +1,111 @@
+// The things of a script that live as long as it: modules, functions, bodies, garments with their pieces, drapes.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "compiler/evaluate/program.hpp"
+#include "compiler/evaluate/scope.hpp"
+#include "compiler/evaluate/value.hpp"
+#include "compiler/pattern/draft.hpp"
+#include "grammar/ast.hpp"
+#include "grammar/parse.hpp"
+
+namespace toile {
+
+struct Module {
+  std::string name;  // "bodies", "parts/cuffs.toile"
+  FileId file = 0;
+  bool from_stdlib = false;
+  bool loading = false;
+  syntax::Parsed parsed{syntax::Tree({}), {}};
+  std::unique_ptr<Scope> scope;
+  std::vector<syntax::View> commands;
+
+  Location at(Span span) const { return {file, span}; }
+  Location at(const syntax::View& view) const { return {file, view.span()}; }
+  /// Whether the parser stumbled over something in this stretch of text.
+  bool broken(Span span) const;
+};
+
+struct UserFunction {
+  syntax::Fn written;
+  const Scope* scope = nullptr;
+};
+
+struct BodyTemplate {
+  syntax::Body written;
+  const Scope* scope = nullptr;
+  std::string name;
+};
+
+struct GarmentTemplate {
+  syntax::Garment written;
+  const Scope* scope = nullptr;
+  std::string name;
+};
+
+struct BodyInstance {
+  BodySpec spec;
+  int index = -1;  // among Program::bodies()
+  bool sound = true;
+  std::optional<std::vector<BodyLineFacts>> lines;  // once measured
+};
+
+struct PlannedEdge {
+  std::string name;
+  syntax::Edge written;
+};
+
+/// A piece's statements after its variations were applied: `piece back = front with { … }` starts from front's.
+struct PiecePlan {
+  std::vector<syntax::Let> lets;
+  std::optional<syntax::Outline> outline;  // the one that says where the pen starts
+  std::vector<PlannedEdge> edges;
+  std::vector<syntax::Hole> holes;
+  std::optional<syntax::Fold> fold;
+  std::optional<syntax::Cut> cut;
+  std::optional<syntax::Grain> grain;
+  std::vector<syntax::Dart> darts;
+  std::vector<syntax::Notch> notches;
+  std::optional<syntax::Allowance> allowance;
+  std::optional<syntax::Label> label;
+};
+
+struct PieceInstance {
+  std::string name;
+  GarmentInstance* garment = nullptr;
+  syntax::Piece written;
+  PiecePlan plan;
+  std::unique_ptr<Scope> scope;  // its lets and edges
+  bool sound = true;
+
+  std::vector<std::string> edge_names() const;
+};
+
+struct GarmentInstance {
+  syntax::Garment written;
+  std::unique_ptr<Scope> scope;
+  std::vector<std::unique_ptr<PieceInstance>> pieces;
+  std::vector<std::shared_ptr<BodyInstance>> worn_on;  // of each wear
+  DraftGarment draft;
+  int index = -1;  // among Program::garments()
+  bool has_fabric = false;
+  bool sound = true;
+
+  PieceInstance* piece(std::string_view piece_name) const;
+};
+
+struct DrapeRecord {
+  std::string name;
+  Location written;
+  bool reached = false;  // by the commands, in their order
+  std::optional<Result> result;
+  const GarmentInstance* garment = nullptr;
+};
+
+}  // namespace toile

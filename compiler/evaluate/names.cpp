@@ -1,0 +1,129 @@
+#include "compiler/evaluate/names.hpp"
+
+#include <algorithm>
+
+#include "compiler/diag/nearest.hpp"
+#include "compiler/evaluate/builtins.hpp"
+
+namespace toile {
+namespace {
+
+void report_circle(Session& session, const Definition& definition) {
+  const auto first = std::find(session.running.begin(), session.running.end(), &definition);
+  std::string path;
+  for (auto it = first; it != session.running.end(); ++it) path += "`" + (*it)->name + "` -> ";
+  path += "`" + definition.name + "`";
+  Problem told("E0106", "`" + definition.name + "` depends on itself: " + path);
+  for (auto it = first; it != session.running.end(); ++it) {
+    const std::string& next = it + 1 == session.running.end() ? definition.name : (*(it + 1))->name;
+    if (*it == &definition) {
+      told.at((*it)->at, "needs `" + next + "`");
+    } else {
+      told.also((*it)->at, "needs `" + next + "`");
+    }
+  }
+  session.report.add(told);
+}
+
+/// Names inside text that the parser gave up on may well be defined there.
+bool stands_in_broken_text(const Session& session, const Module& module, std::string_view name) {
+  const syntax::Tree& tree = module.parsed.tree;
+  for (syntax::NodeId id = 0; id < tree.size(); ++id) {
+    if (tree[id].kind != syntax::Kind::Error) continue;
+    if (session.sources[module.file].slice(tree[id].span).find(name) != std::string_view::npos) return true;
+  }
+  return false;
+}
+
+bool callable(const Value& value) {
+  return value.unknown() || value.as<FunctionRef>() != nullptr || value.as<BuiltinRef>() != nullptr ||
+         value.as<BodyTemplateRef>() != nullptr || value.as<GarmentTemplateRef>() != nullptr;
+}
+
+/// A definition inside a call, seen from a branch that is not taken: computed in supposition only.
+Value supposed_value(Definition& definition) {
+  if (definition.state == Definition::State::Done) return forget(definition.value);
+  if (definition.state == Definition::State::Running) return Unknown{};
+  if (!definition.supposed) {
+    definition.supposed = Value{};  // what a circle sees
+    definition.supposed = forget(definition.compute());
+  }
+  return *definition.supposed;
+}
+
+Value value_of(Session& session, Definition& definition, const Scope& where) {
+  if (session.supposing > 0 && where.is_call()) return supposed_value(definition);
+  const Value value = force(session, definition);
+  return session.supposing > 0 ? forget(value) : value;
+}
+
+}  // namespace
+
+Value force(Session& session, Definition& definition) {
+  if (definition.state == Definition::State::Done) return definition.value;
+  if (definition.state == Definition::State::Running) {
+    report_circle(session, definition);
+    return Unknown{};
+  }
+  definition.state = Definition::State::Running;
+  session.running.push_back(&definition);
+  Value value;
+  {
+    const Holding<int> for_real(session.supposing, 0);
+    value = definition.compute();
+  }
+  session.running.pop_back();
+  // What only a drape will tell is asked for again after it.
+  const bool settled = value.unknown() || value.known();
+  definition.state = settled ? Definition::State::Done : Definition::State::Fresh;
+  if (settled) definition.value = value;
+  return value;
+}
+
+void report_unknown(Session& session, const Module& module, const syntax::Token& name, const std::string& message,
+                    const std::vector<std::string>& known, const std::string& code) {
+  const std::string text = session.name_of(module, name);
+  if (stands_in_broken_text(session, module, text)) return;
+  session.report.add(Problem(code, message).at(module.at(name)).help(suggestion(text, known)));
+}
+
+Value look_up(Session& session, const Scope& scope, const syntax::Token& name, Wish wish) {
+  const std::string_view text = session.text(scope.module(), name);
+  const Builtin* builtin = find_builtin(text);
+  const Scope* where = nullptr;
+  if (Definition* definition = scope.find(text, &where, wish == Wish::Curve)) {
+    const Value value = value_of(session, *definition, *where);
+    if (wish != Wish::Function || builtin == nullptr || callable(value)) return value;
+  }
+  if (builtin != nullptr) return builtin->constant ? *builtin->constant : Value{BuiltinRef{builtin}};
+  std::vector<std::string> known = scope.visible_names();
+  const std::vector<std::string> functions = builtin_names();
+  known.insert(known.end(), functions.begin(), functions.end());
+  std::string message = "there is no `" + std::string(text) + "` here";
+  if (suggestion(text, known).empty()) {
+    for (const std::string& module : session.world.module_names()) {
+      if (module != text || scope.find(module) != nullptr) continue;
+      session.report.add(Problem("E0101", message).at(scope.module().at(name)).help("import " + module));
+      return Unknown{};
+    }
+  }
+  report_unknown(session, scope.module(), name, message, known);
+  return Unknown{};
+}
+
+Definition* define(Session& session, Scope& scope, const std::optional<syntax::Token>& name,
+                   std::function<Value()> compute) {
+  if (!name) return nullptr;
+  const std::string text = session.name_of(scope.module(), name);
+  const Location at = scope.module().at(*name);
+  if (const Definition* earlier = scope.own(text)) {
+    session.report.add(Problem("E0102", "`" + text + "` is defined twice")
+                           .at(at, "defined again here")
+                           .also(earlier->at, "first defined here")
+                           .help("choose another name for one of them"));
+    return nullptr;
+  }
+  return scope.define(text, at, std::move(compute));
+}
+
+}  // namespace toile

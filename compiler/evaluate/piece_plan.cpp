@@ -1,0 +1,155 @@
+// Which statements make up a piece.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/pieces.hpp"
+
+namespace toile {
+namespace {
+
+/// Replaces the entry of the same name, or adds one.
+void take_let(const Session& session, const Module& module, std::vector<syntax::Let>& lets, const syntax::Let& let) {
+  const std::string name = session.name_of(module, let.name());
+  const auto same = std::find_if(lets.begin(), lets.end(), [&](const syntax::Let& other) {
+    return session.name_of(module, other.name()) == name;
+  });
+  if (same != lets.end()) {
+    *same = let;
+  } else {
+    lets.push_back(let);
+  }
+}
+
+}  // namespace
+
+void PiecePlanner::plan_all() {
+  for (const auto& piece : garment_.pieces) plan(*piece);
+}
+
+void PiecePlanner::plan(PieceInstance& piece) {
+  const auto [state, is_new] = states_.try_emplace(&piece, State::Running);
+  if (!is_new) return;
+  const Module& module = garment_.scope->module();
+  if (const auto base_name = piece.written.base()) {
+    const std::string name = session_.name_of(module, base_name);
+    PieceInstance* base = garment_.piece(name);
+    if (base == nullptr) {
+      std::vector<std::string> names;
+      for (const auto& each : garment_.pieces) {
+        if (each.get() != &piece) names.push_back(each->name);
+      }
+      report_unknown(session_, module, *base_name, fmt::format("there is no piece `{}` to vary", name), names);
+      piece.sound = false;
+    } else if (const auto running = states_.find(base); running != states_.end() && running->second == State::Running) {
+      session_.report.add(
+          Problem("E0106", fmt::format("piece `{}` is a variation of itself", piece.name)).at(module.at(*base_name)));
+      piece.sound = false;
+    } else {
+      plan(*base);
+      piece.plan = base->plan;
+      piece.sound = base->sound;
+    }
+  }
+  apply(piece);
+  states_[&piece] = State::Done;
+}
+
+void PiecePlanner::apply(PieceInstance& piece) {
+  PiecePlan& plan = piece.plan;
+  const Module& module = garment_.scope->module();
+  bool own_darts = false;
+  bool own_notches = false;
+  std::map<std::string, Location> own_lets;
+  for (const syntax::View item : syntax::items(piece.written)) {
+    if (const auto let = syntax::as<syntax::Let>(item)) {
+      const std::string name = session_.name_of(module, let->name());
+      const Location at = let->name() ? module.at(*let->name()) : module.at(*let);
+      if (const auto [earlier, is_new] = own_lets.try_emplace(name, at); !is_new) {
+        session_.report.add(Problem("E0102", "`" + name + "` is defined twice")
+                                .at(at, "defined again here")
+                                .also(earlier->second, "first defined here"));
+      }
+      take_let(session_, module, plan.lets, *let);
+    } else if (const auto outline = syntax::as<syntax::Outline>(item)) {
+      vary_outline(piece, *outline);
+    } else if (const auto edge = syntax::as<syntax::Edge>(item)) {
+      take_edge(piece, *edge);
+    } else if (const auto hole = syntax::as<syntax::Hole>(item)) {
+      plan.holes.push_back(*hole);
+    } else if (const auto fold = syntax::as<syntax::Fold>(item)) {
+      plan.fold = fold;
+    } else if (const auto cut = syntax::as<syntax::Cut>(item)) {
+      plan.cut = cut;
+    } else if (const auto grain = syntax::as<syntax::Grain>(item)) {
+      plan.grain = grain;
+    } else if (const auto dart = syntax::as<syntax::Dart>(item)) {
+      if (!own_darts) plan.darts.clear();
+      own_darts = true;
+      plan.darts.push_back(*dart);
+    } else if (const auto notch = syntax::as<syntax::Notch>(item)) {
+      if (!own_notches) plan.notches.clear();
+      own_notches = true;
+      plan.notches.push_back(*notch);
+    } else if (const auto allowance = syntax::as<syntax::Allowance>(item)) {
+      plan.allowance = allowance;
+    } else if (const auto label = syntax::as<syntax::Label>(item)) {
+      plan.label = label;
+    }
+  }
+}
+
+void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& outline) {
+  PiecePlan& plan = piece.plan;
+  const Module& module = garment_.scope->module();
+  if (!outline.origin()) {
+    for (const syntax::View item : syntax::items(outline)) {
+      if (const auto edge = syntax::as<syntax::Edge>(item)) take_edge(piece, *edge);
+    }
+    return;
+  }
+  plan.outline = outline;
+  plan.edges.clear();
+  for (const syntax::View item : syntax::items(outline)) {
+    const auto edge = syntax::as<syntax::Edge>(item);
+    if (!edge || !edge->name()) continue;
+    const std::string name = session_.name_of(module, edge->name());
+    const auto same = std::find_if(plan.edges.begin(), plan.edges.end(),
+                                   [&](const PlannedEdge& other) { return other.name == name; });
+    if (same == plan.edges.end()) {
+      plan.edges.push_back({name, *edge});
+      continue;
+    }
+    session_.report.add(Problem("E0102", fmt::format("edge `{}` is drawn twice", name))
+                            .at(module.at(*edge->name()), "drawn again here")
+                            .also(module.at(*same->written.name()), "first drawn here")
+                            .help("edges of one piece have different names, so that seams can tell them apart"));
+    piece.sound = false;
+  }
+}
+
+void PiecePlanner::take_edge(PieceInstance& piece, const syntax::Edge& edge) {
+  const Module& module = garment_.scope->module();
+  if (!edge.name()) return;
+  const std::string name = session_.name_of(module, edge.name());
+  for (PlannedEdge& planned : piece.plan.edges) {
+    if (planned.name != name) continue;
+    planned.written = edge;
+    return;
+  }
+  piece.sound = false;
+  if (module.broken(piece.written.span())) return;
+  if (!piece.written.base()) {
+    session_.report.add(Problem("E0308", fmt::format("edge `{}` stands outside of an outline", name))
+                            .at(module.at(*edge.name()))
+                            .help("outline from (0cm, 0cm) { ... }"));
+    return;
+  }
+  report_unknown(
+      session_, module, *edge.name(),
+      fmt::format("piece `{}` has no edge `{}` to replace", session_.name_of(module, piece.written.base()), name),
+      piece.edge_names(), "E0308");
+}
+
+}  // namespace toile

@@ -1,0 +1,288 @@
+// A piece's names and its draft.
+#include "compiler/evaluate/pieces.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "compiler/evaluate/curves.hpp"
+#include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/walk.hpp"
+#include "compiler/evaluate/want.hpp"
+
+namespace toile {
+namespace {
+
+/// Where the outline begins.
+std::optional<Vec2> origin(Session& session, const PieceInstance& piece) {
+  if (!piece.plan.outline) return std::nullopt;
+  return Wanted{session, *piece.scope}.point(piece.plan.outline->origin(), "the place where an outline begins");
+}
+
+/// The curve of the piece's i-th edge: walks on from the one before it.
+Value edge_curve(Session& session, const PieceInstance& piece, std::size_t i) {
+  const std::optional<Vec2> start = origin(session, piece);
+  std::optional<Vec2> pen = start;
+  if (i > 0) {
+    Definition* before = piece.scope->own(piece.plan.edges[i - 1].name);
+    const Value value = before == nullptr ? Value{} : force(session, *before);
+    const auto* curve = value.as<PlaneCurve>();
+    pen = curve != nullptr && curve->curve ? std::optional(curve->curve->end()) : std::nullopt;
+  }
+  if (!pen || !start) return Unknown{};
+  auto curve = walk(session, *piece.scope, piece.plan.edges[i].written, *pen, *start);
+  return curve ? curve_value(std::move(*curve)) : Value{};
+}
+
+class PieceDrafter {
+ public:
+  PieceDrafter(Session& session, PieceInstance& piece)
+      : session_(session), piece_(piece), module_(piece.scope->module()), wanted_{session, *piece.scope} {}
+
+  DraftPiece draft() {
+    draft_.name = piece_.name;
+    const auto name = piece_.written.name();
+    draft_.written = name ? module_.at(*name) : module_.at(piece_.written);
+    // All names are checked, also those that no edge uses.
+    for (const auto& definition : piece_.scope->definitions()) force(session_, *definition);
+    read_outline();
+    for (const syntax::Hole& hole : piece_.plan.holes) read_hole(hole);
+    read_fold();
+    read_cut();
+    read_grain();
+    for (const syntax::Dart& dart : piece_.plan.darts) read_dart(dart);
+    for (const syntax::Notch& notch : piece_.plan.notches) read_notch(notch);
+    if (piece_.plan.allowance) read_allowance(*piece_.plan.allowance);
+    if (piece_.plan.label) read_label(*piece_.plan.label);
+    return draft_;
+  }
+
+ private:
+  void fail() { piece_.sound = false; }
+
+  void read_outline() {
+    if (!piece_.plan.outline) {
+      fail();
+      if (module_.broken(piece_.written.span()) || piece_.written.base()) return;
+      session_.report.add(Problem("E0304", fmt::format("piece `{}` has no outline", piece_.name))
+                              .at(draft_.written)
+                              .help("outline from (0cm, 0cm) { ... }"));
+      return;
+    }
+    for (const PlannedEdge& edge : piece_.plan.edges) {
+      Definition* definition = piece_.scope->own(edge.name);
+      const Value value = definition == nullptr ? Value{} : force(session_, *definition);
+      const auto* curve = value.as<PlaneCurve>();
+      if (curve == nullptr || curve->curve == nullptr) {
+        fail();
+        continue;
+      }
+      draft_.outline.push_back({edge.name, *curve->curve, module_.at(edge.written)});
+    }
+  }
+
+  void read_hole(const syntax::Hole& hole) {
+    DraftHole made;
+    made.name = session_.name_of(module_, hole.name());
+    made.written = module_.at(hole);
+    const auto start = wanted_.point(hole.origin(), "the place where a hole begins");
+    std::optional<Vec2> pen = start;
+    for (const syntax::View item : syntax::items(hole)) {
+      const auto edge = syntax::as<syntax::Edge>(item);
+      if (!edge || !pen) continue;
+      auto curve = walk(session_, *piece_.scope, *edge, *pen, *start);
+      pen = curve ? std::optional(curve->end()) : std::nullopt;
+      if (curve) made.edges.push_back({session_.name_of(module_, edge->name()), std::move(*curve), module_.at(*edge)});
+    }
+    if (!pen) return fail();
+    draft_.holes.push_back(std::move(made));
+  }
+
+  /// The drawn edge of that name; null with an error when there is none, null alone when its curve is not sound.
+  const DraftEdge* edge(const std::optional<syntax::Token>& token) {
+    if (!token) return nullptr;
+    const std::string name = session_.name_of(module_, token);
+    for (const DraftEdge& each : draft_.outline) {
+      if (each.name == name) return &each;
+    }
+    fail();
+    const std::vector<std::string> known = piece_.edge_names();
+    if (std::find(known.begin(), known.end(), name) != known.end()) return nullptr;
+    report_unknown(session_, module_, *token, fmt::format("piece `{}` has no edge `{}`", piece_.name, name), known,
+                   "E0308");
+    return nullptr;
+  }
+
+  void read_fold() {
+    if (!piece_.plan.fold) return;
+    draft_.fold_written = module_.at(*piece_.plan.fold);
+    if (const DraftEdge* line = edge(piece_.plan.fold->edge())) draft_.fold = line->name;
+  }
+
+  void read_cut() {
+    if (!piece_.plan.cut) return;
+    draft_.mirrored = piece_.plan.cut->mirrored();
+    const auto count = wanted_.count(piece_.plan.cut->count(), "how often a piece is cut");
+    if (!count) return fail();
+    draft_.quantity = *count;
+    if (!draft_.mirrored || *count % 2 == 0) return;
+    fail();
+    session_.report.add(Problem("E0209", "pieces cut in mirrored pairs are even in number")
+                            .at(module_.at(*piece_.plan.cut))
+                            .help(fmt::format("cut {} mirrored", *count + 1)));
+  }
+
+  void read_grain() {
+    if (!piece_.plan.grain) return;
+    const auto word = piece_.plan.grain->direction();
+    if (const auto angle_expr = piece_.plan.grain->angle()) {
+      const auto angle = wanted_.quantity(angle_expr, dimension::angle, "the direction of the grain");
+      if (angle) draft_.warp = direction(*angle);
+      if (!angle) fail();
+      return;
+    }
+    if (!word) return fail();
+    switch (word->kind()) {
+      case syntax::Kind::KwUp:
+        draft_.warp = {0, 1};
+        break;
+      case syntax::Kind::KwLeft:
+        draft_.warp = {-1, 0};
+        break;
+      case syntax::Kind::KwRight:
+        draft_.warp = {1, 0};
+        break;
+      case syntax::Kind::KwBias:
+        draft_.warp = direction(-std::numbers::pi / 4);
+        break;
+      default:
+        draft_.warp = {0, -1};
+        break;
+    }
+  }
+
+  struct Place {
+    std::string edge;
+    double at = 0;
+  };
+
+  std::optional<Place> place(const std::optional<syntax::Position>& position) {
+    if (!position) {
+      fail();
+      return std::nullopt;
+    }
+    const auto where_expr = position->where();
+    const Value where = evaluate(session_, *piece_.scope, where_expr);
+    const DraftEdge* line = edge(position->edge());
+    if (line == nullptr || where.unknown()) {
+      fail();
+      return std::nullopt;
+    }
+    const auto* quantity = where.as<Quantity>();
+    if (quantity == nullptr || !(quantity->dimension.plain() || quantity->dimension == dimension::length)) {
+      wanted_.wrong(*where_expr, where, "a place on an edge", "a length or a fraction");
+      fail();
+      return std::nullopt;
+    }
+    if (!wanted_.there(*where_expr, where, "a place on an edge")) {
+      fail();
+      return std::nullopt;
+    }
+    const auto s =
+        arc_length_at(session_, line->curve, where, module_.at(*where_expr), "the end of edge `" + line->name + "`");
+    if (!s) fail();
+    return s ? std::optional(Place{line->name, *s}) : std::nullopt;
+  }
+
+  void read_dart(const syntax::Dart& dart) {
+    DraftDart made;
+    made.written = module_.at(dart);
+    made.name = session_.name_of(module_, dart.name());
+    if (made.name.empty()) made.name = fmt::format("dart{}", draft_.darts.size() + 1);
+    const auto where = place(dart.position());
+    std::map<std::string, std::optional<double>> sizes;
+    for (const syntax::Property& property : dart.properties()) {
+      const auto token = property.name();
+      if (!token) continue;
+      const std::string name = session_.name_of(module_, token);
+      if (name != "width" && name != "depth") {
+        report_unknown(session_, module_, *token, "a dart has no `" + name + "`", {"width", "depth"}, "E0103");
+        fail();
+        continue;
+      }
+      if (sizes.contains(name)) {
+        session_.report.add(Problem("E0102", "`" + name + "` is given twice").at(module_.at(*token)));
+        fail();
+        continue;
+      }
+      sizes[name] = wanted_.positive(property.value(), dimension::length, "the " + name + " of a dart");
+    }
+    for (const char* name : {"width", "depth"}) {
+      if (sizes.contains(name) || module_.broken(dart.span())) continue;
+      session_.report.add(Problem("E0310", fmt::format("the dart does not tell its {}", name))
+                              .at(made.written)
+                              .help("dart at 50% of waist { width 2.5cm, depth 9cm }"));
+    }
+    if (!where || !sizes["width"] || !sizes["depth"]) return fail();
+    made.edge = where->edge;
+    made.at = where->at;
+    made.width = *sizes["width"];
+    made.depth = *sizes["depth"];
+    draft_.darts.push_back(std::move(made));
+  }
+
+  void read_notch(const syntax::Notch& notch) {
+    if (const auto where = place(notch.position())) {
+      draft_.notches.push_back({where->edge, where->at, module_.at(notch)});
+    }
+  }
+
+  void read_allowance(const syntax::Allowance& allowance) {
+    const std::string what = "a seam allowance";
+    const auto width = wanted_.not_negative(allowance.width(), dimension::length, what);
+    if (width) draft_.allowances.push_back({"", *width, module_.at(allowance)});
+    if (!width) fail();
+    for (const syntax::EdgeAllowance& exception : allowance.exceptions()) {
+      const DraftEdge* line = edge(exception.edge());
+      const auto own = wanted_.not_negative(exception.width(), dimension::length, what);
+      if (!own) fail();
+      if (line != nullptr && own) draft_.allowances.push_back({line->name, *own, module_.at(exception)});
+    }
+  }
+
+  void read_label(const syntax::Label& label) {
+    const auto text = wanted_.text(label.text(), "a label");
+    if (text) draft_.label = *text;
+    if (!text) fail();
+  }
+
+  Session& session_;
+  PieceInstance& piece_;
+  const Module& module_;
+  Wanted wanted_;
+  DraftPiece draft_;
+};
+
+}  // namespace
+
+void define_piece_names(Session& session, PieceInstance& piece) {
+  for (const syntax::Let& let : piece.plan.lets) {
+    define(session, *piece.scope, let.name(),
+           [&session, &piece, expr = let.value()] { return evaluate(session, *piece.scope, expr); });
+  }
+  for (std::size_t i = 0; i < piece.plan.edges.size(); ++i) {
+    Definition* made = define(session, *piece.scope, piece.plan.edges[i].written.name(),
+                              [&session, &piece, i] { return edge_curve(session, piece, i); });
+    if (made != nullptr) made->yields = true;
+    if (made == nullptr) piece.sound = false;
+  }
+}
+
+DraftPiece draft_piece(Session& session, PieceInstance& piece) {
+  return PieceDrafter(session, piece).draft();
+}
+
+}  // namespace toile

@@ -1,0 +1,39 @@
+// Pieces: which statements make one up once variations are applied, its edges walked by the pen, and what else it says.
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+
+#include "compiler/evaluate/session.hpp"
+
+namespace toile {
+
+/// Puts together what a piece consists of: its own statements, or those of the piece that it varies with its own in
+/// their place. `earlier` are the garment's pieces by name, written in any order.
+class PiecePlanner {
+ public:
+  PiecePlanner(Session& session, GarmentInstance& garment) : session_(session), garment_(garment) {}
+
+  /// The plans of all pieces of the garment; a variation of itself is an error.
+  void plan_all();
+
+ private:
+  void plan(PieceInstance& piece);
+  void apply(PieceInstance& piece);
+  void vary_outline(PieceInstance& piece, const syntax::Outline& outline);
+  void take_edge(PieceInstance& piece, const syntax::Edge& edge);
+
+  Session& session_;
+  GarmentInstance& garment_;
+  enum class State { Running, Done };
+  std::map<const PieceInstance*, State> states_;
+};
+
+/// Defines the lets and edges of a planned piece in its scope. Edges are curves; each begins where the one before ends.
+void define_piece_names(Session& session, PieceInstance& piece);
+
+/// The piece as drafted. Sets `piece.sound` to false after a mistake.
+DraftPiece draft_piece(Session& session, PieceInstance& piece);
+
+}  // namespace toile

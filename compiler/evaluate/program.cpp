@@ -1,0 +1,74 @@
+#include "compiler/evaluate/program.hpp"
+
+#include <algorithm>
+
+#include "compiler/evaluate/bodies.hpp"
+#include "compiler/evaluate/commands.hpp"
+#include "compiler/evaluate/definitions.hpp"
+#include "compiler/evaluate/modules.hpp"
+#include "grammar/emit.hpp"
+#include "grammar/parse.hpp"
+
+namespace toile {
+namespace {
+
+class LoadedProgram final : public Program {
+ public:
+  explicit LoadedProgram(World& world) : session_(world), commands_(session_) {}
+
+  void load(const std::string& name, std::string text, const std::vector<Setting>& settings) {
+    Module& script = add_module(session_, name, std::move(text), false);
+    for (const Setting& setting : settings) add_setting(session_, setting);
+    commands_.define_results();
+    // The standard library is checked by its own tests, and here by what is used of it.
+    for (std::size_t i = 0; i < session_.modules.size(); ++i) {
+      if (!session_.modules[i]->from_stdlib) check_module(session_, *session_.modules[i]);
+    }
+    enter_bodies(script);
+    report_unused_settings(session_);
+    commands_.check();
+  }
+
+  const Sources& sources() const override { return session_.sources; }
+  const std::vector<Diagnostic>& diagnostics() const override { return session_.report.all(); }
+  const std::vector<Garment>& garments() const override { return session_.garments; }
+  const std::vector<BodySpec>& bodies() const override { return session_.bodies; }
+  std::optional<Command> next() override { return commands_.next(); }
+  void give(const Result& result) override { commands_.give(result); }
+
+ private:
+  /// The script's own bodies come first, in the order of the text, whether or not they are used; they are measured, so
+  /// that one that cannot be made is told of at once.
+  void enter_bodies(const Module& script) {
+    for (const auto& definition : script.scope->definitions()) {
+      const auto* body = definition->value.as<BodyValue>();
+      if (body == nullptr) continue;
+      index_of(session_, *body->body);
+      body_lines(session_, *body->body, definition->at);
+    }
+  }
+
+  Session session_;
+  Commands commands_;
+};
+
+}  // namespace
+
+bool Program::ok() const {
+  return std::none_of(diagnostics().begin(), diagnostics().end(),
+                      [](const Diagnostic& diagnostic) { return diagnostic.severity == Severity::Error; });
+}
+
+std::unique_ptr<Program> load(const std::string& name, std::string text, const std::vector<Setting>& settings,
+                              World& world) {
+  auto program = std::make_unique<LoadedProgram>(world);
+  program->load(name, std::move(text), settings);
+  return program;
+}
+
+std::string emit_ast(const std::string& name, std::string text) {
+  const Source source(name, std::move(text));
+  return syntax::emit(syntax::parse(source).tree, source);
+}
+
+}  // namespace toile

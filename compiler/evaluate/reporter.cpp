@@ -1,0 +1,36 @@
+#include "compiler/evaluate/reporter.hpp"
+
+#include <algorithm>
+
+namespace toile {
+namespace {
+
+constexpr std::size_t most_diagnostics = 200;  // a text with more mistakes is no script
+
+Location place(const Diagnostic& diagnostic) {
+  for (const Label& label : diagnostic.labels) {
+    if (label.primary) return label.at;
+  }
+  return diagnostic.labels.empty() ? Location{} : diagnostic.labels.front().at;
+}
+
+bool before(const Diagnostic& a, const Diagnostic& b) {
+  const Location left = place(a);
+  const Location right = place(b);
+  return std::tie(left.file, left.span.begin, left.span.end, a.code) <
+         std::tie(right.file, right.span.begin, right.span.end, b.code);
+}
+
+}  // namespace
+
+void Reporter::add(Diagnostic diagnostic) {
+  const Location where = place(diagnostic);
+  const bool is_new = seen_.emplace(diagnostic.code, where.file, where.span.begin, where.span.end).second;
+  if (!is_new || all_.size() >= most_diagnostics) return;
+  if (!calls_.empty() && !(calls_.front() == where))
+    diagnostic.labels.push_back({calls_.front(), "in this call", false});
+  if (diagnostic.severity == Severity::Error) ++errors_;
+  all_.insert(std::upper_bound(all_.begin(), all_.end(), diagnostic, before), std::move(diagnostic));
+}
+
+}  // namespace toile

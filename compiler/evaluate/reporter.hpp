@@ -1,0 +1,62 @@
+// Where the evaluator's diagnostics gather: each mistake once, in the order of the text.
+#pragma once
+
+#include <set>
+#include <string>
+#include <tuple>
+#include <utility>
+#include <vector>
+
+#include "compiler/diag/diagnostic.hpp"
+
+namespace toile {
+
+/// A diagnostic as it is put together: Problem("E0201", "…").at(left, "a length").also(right, "an angle").
+class Problem {
+ public:
+  Problem(std::string code, std::string message) {
+    made_.severity = code.starts_with('W') ? Severity::Warning : Severity::Error;
+    made_.code = std::move(code);
+    made_.message = std::move(message);
+  }
+  Problem& at(Location where, std::string words = "") {
+    made_.labels.push_back({where, std::move(words), true});
+    return *this;
+  }
+  Problem& also(Location where, std::string words = "") {
+    made_.labels.push_back({where, std::move(words), false});
+    return *this;
+  }
+  Problem& help(std::string words) {
+    made_.help = std::move(words);
+    return *this;
+  }
+  const Diagnostic& diagnostic() const { return made_; }
+
+ private:
+  Diagnostic made_;
+};
+
+class Reporter {
+ public:
+  void add(const Problem& problem) { add(problem.diagnostic()); }
+  /// The same code at the same place is reported once: bodies of functions are evaluated at every call.
+  void add(Diagnostic diagnostic);
+
+  /// While a function's body is evaluated, mistakes in it show the call, too.
+  void enter_call(Location call) { calls_.push_back(call); }
+  void leave_call() { calls_.pop_back(); }
+
+  bool has_errors() const { return errors_ > 0; }
+  int errors() const { return errors_; }
+  /// Sorted by file and place.
+  const std::vector<Diagnostic>& all() const { return all_; }
+
+ private:
+  std::vector<Diagnostic> all_;
+  std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t>> seen_;
+  std::vector<Location> calls_;
+  int errors_ = 0;
+};
+
+}  // namespace toile

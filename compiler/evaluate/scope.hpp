@@ -1,0 +1,68 @@
+// Names and what they stand for. Definitions are lazy: each is evaluated when it is first asked for, so they may stand
+// in any order; a definition that needs itself is noticed on the way.
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "compiler/evaluate/value.hpp"
+#include "grammar/source.hpp"
+
+namespace toile {
+
+struct Definition {
+  std::string name;
+  Location at;  // of the name
+  std::function<Value()> compute;
+  enum class State { Fresh, Running, Done } state = State::Fresh;
+  Value value;
+  bool yields = false;            // an edge: a value of that name outside of its piece comes before it
+  std::optional<Value> supposed;  // as a branch that is not taken sees it (definitions within a call)
+};
+
+class Scope {
+ public:
+  /// `signature`: the kinds of a call's arguments, for what is remembered of checks; empty outside of calls.
+  Scope(Module& module, const Scope* parent, bool is_call = false, std::string signature = "")
+      : module_(&module), parent_(parent), is_call_(is_call), signature_(std::move(signature)) {}
+  Scope(const Scope&) = delete;
+  Scope& operator=(const Scope&) = delete;
+  Scope(Scope&&) = default;
+  Scope& operator=(Scope&&) = default;
+  ~Scope() = default;
+
+  Module& module() const { return *module_; }
+  /// Definitions in a call's scope, or in one inside of it, are gone when the call ends.
+  bool is_call() const { return is_call_; }
+  std::string signature() const { return parent_ == nullptr ? signature_ : parent_->signature() + "|" + signature_; }
+
+  /// The definition of that name in this block alone, or null.
+  Definition* own(std::string_view name) const;
+  /// The innermost definition seen from here, or null; `where` tells the scope it stands in. A definition that yields
+  /// is found only where there is no other, or when it is preferred.
+  Definition* find(std::string_view name, const Scope** where = nullptr, bool prefer_edges = false) const;
+  /// Null when the name is taken already.
+  Definition* define(std::string name, Location at, std::function<Value()> compute);
+  void define_value(std::string name, Location at, Value value);
+
+  /// In the order in which they were defined.
+  const std::vector<std::unique_ptr<Definition>>& definitions() const { return definitions_; }
+  /// All names seen from here, for suggestions.
+  std::vector<std::string> visible_names() const;
+  std::vector<std::string> own_names() const;
+
+ private:
+  Module* module_;
+  const Scope* parent_;
+  bool is_call_;
+  std::string signature_;
+  std::vector<std::unique_ptr<Definition>> definitions_;
+  std::map<std::string, Definition*, std::less<>> by_name_;
+};
+
+}  // namespace toile

@@ -1,0 +1,168 @@
+#include "compiler/evaluate/sewing.hpp"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/want.hpp"
+#include "compiler/units/format.hpp"
+
+namespace toile {
+namespace {
+
+class SewingReader {
+ public:
+  SewingReader(Session& session, GarmentInstance& garment)
+      : session_(session), garment_(garment), module_(garment.scope->module()), wanted_{session, *garment.scope} {}
+
+  void read(const syntax::Sew& sew) {
+    DraftSeam seam;
+    seam.written = module_.at(sew);
+    const bool first = read_chain(sew.first(), seam.first);
+    const bool second = read_chain(sew.second(), seam.second);
+    bool sound = first && second;
+    for (const syntax::SewOption& option : sew.options()) sound = read_option(option, seam) && sound;
+    if (!sound) return fail();
+    garment_.draft.seams.push_back(std::move(seam));
+  }
+
+  void read(const syntax::Wear& wear) {
+    DraftWear made;
+    made.written = module_.at(wear);
+    bool sound = read_chain(wear.chain(), made.chain);
+    const std::shared_ptr<BodyInstance> body = read_line(wear, made.line);
+    for (const syntax::WearOption& option : wear.options()) sound = read_option(option, made) && sound;
+    if (!sound || body == nullptr) return fail();
+    garment_.draft.wears.push_back(std::move(made));
+    garment_.worn_on.push_back(body);
+  }
+
+ private:
+  void fail() { garment_.sound = false; }
+
+  bool read_chain(const std::optional<syntax::Chain>& chain, std::vector<DraftEdgeRef>& into) {
+    if (!chain) return false;
+    bool sound = true;
+    for (const syntax::EdgeRef& reference : chain->edges()) {
+      if (auto edge = read_edge(reference)) {
+        into.push_back(std::move(*edge));
+      } else {
+        sound = false;
+      }
+    }
+    return sound && !into.empty();
+  }
+
+  std::optional<DraftEdgeRef> read_edge(const syntax::EdgeRef& reference) {
+    const std::vector<syntax::Token> path = reference.path();
+    if (path.size() < 2) return std::nullopt;
+    DraftEdgeRef made;
+    made.written = module_.at(reference);
+    made.piece = session_.name_of(module_, path[0]);
+    const PieceInstance* piece = garment_.piece(made.piece);
+    if (piece == nullptr) {
+      std::vector<std::string> names;
+      for (const auto& each : garment_.pieces) names.push_back(each->name);
+      report_unknown(session_, module_, path[0],
+                     fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, made.piece), names, "E0309");
+      return std::nullopt;
+    }
+    made.edge = session_.name_of(module_, path[1]);
+    std::vector<std::string> known = piece->edge_names();
+    for (const DraftPiece& drafted : garment_.draft.pieces) {
+      if (drafted.name != made.piece) continue;
+      for (const DraftHole& hole : drafted.holes) {
+        for (const DraftEdge& rim : hole.edges) known.push_back(rim.name);
+      }
+    }
+    if (std::find(known.begin(), known.end(), made.edge) == known.end()) {
+      report_unknown(session_, module_, path[1], fmt::format("piece `{}` has no edge `{}`", made.piece, made.edge),
+                     known, "E0308");
+      return std::nullopt;
+    }
+    return read_side(path, made) ? std::optional(made) : std::nullopt;
+  }
+
+  bool read_side(const std::vector<syntax::Token>& path, DraftEdgeRef& edge) {
+    if (path.size() == 2) return true;
+    const std::string side = session_.name_of(module_, path[2]);
+    if (side == "drawn") edge.side = Side::Drawn;
+    if (side == "mirrored") edge.side = Side::Mirrored;
+    if (edge.side && path.size() == 3) return true;
+    report_unknown(session_, module_, edge.side ? path[3] : path[2],
+                   fmt::format("edge `{}` has a drawn and a mirrored side, no `{}`", edge.edge,
+                               session_.name_of(module_, edge.side ? path[3] : path[2])),
+                   {"drawn", "mirrored"}, "E0103");
+    return false;
+  }
+
+  bool read_option(const syntax::SewOption& option, DraftSeam& seam) {
+    const auto word = option.word();
+    if (!word) return false;
+    if (word->kind() == syntax::Kind::KwReversed) {
+      seam.reversed = true;
+      return true;
+    }
+    seam.fullness = word->kind() == syntax::Kind::KwEase     ? Seam::Fullness::Ease
+                    : word->kind() == syntax::Kind::KwGather ? Seam::Fullness::Gather
+                                                             : Seam::Fullness::Stretch;
+    const auto amount = option.amount();
+    if (!amount) return true;
+    seam.stated = wanted_.not_negative(amount, dimension::length,
+                                       fmt::format("the amount of `{}`", session_.text(module_, *word)));
+    return seam.stated.has_value();
+  }
+
+  /// The body's line after `at`.
+  std::shared_ptr<BodyInstance> read_line(const syntax::Wear& wear, std::string& line) {
+    const auto expr = wear.line();
+    const Value value = evaluate(session_, *garment_.scope, expr);
+    if (value.unknown()) return nullptr;
+    const auto* found = value.as<BodyLineValue>();
+    if (found == nullptr) {
+      wanted_.wrong(*expr, value, "what a garment is worn at", "a line of a body");
+      return nullptr;
+    }
+    line = found->line;
+    return found->body;
+  }
+
+  bool read_option(const syntax::WearOption& option, DraftWear& wear) {
+    const auto word = option.word();
+    if (!word) return false;
+    if (word->kind() != syntax::Kind::KwFrom) {
+      wear.held = word->kind() == syntax::Kind::KwHeld;
+      return true;
+    }
+    const auto expr = option.origin();
+    const auto from = wanted_.quantity(expr, dimension::number, "the place after `from`");
+    if (!from) return false;
+    if (*from < -1 || *from > 1) {
+      session_.report.add(Problem("E0209", "`from` is a fraction of the line's girth, from the front")
+                              .at(module_.at(*expr), "this is " + format_number(*from))
+                              .help("25% lies at the left side, 50% at the back"));
+      return false;
+    }
+    wear.from = *from;
+    return true;
+  }
+
+  Session& session_;
+  GarmentInstance& garment_;
+  const Module& module_;
+  Wanted wanted_;
+};
+
+}  // namespace
+
+void read_seam(Session& session, GarmentInstance& garment, const syntax::Sew& sew) {
+  SewingReader(session, garment).read(sew);
+}
+
+void read_wear(Session& session, GarmentInstance& garment, const syntax::Wear& wear) {
+  SewingReader(session, garment).read(wear);
+}
+
+}  // namespace toile

@@ -1,0 +1,72 @@
+#include <cmath>
+#include <numeric>
+
+#include "compiler/pattern/sewing.hpp"
+
+namespace toile {
+
+Chain reversed(const Chain& chain) {
+  Chain backwards(chain.rbegin(), chain.rend());
+  for (ChainLink& link : backwards) link.forward = !link.forward;
+  return backwards;
+}
+
+double length(const std::vector<Piece>& pieces, const Chain& chain) {
+  double sum = 0;
+  for (const ChainLink& link : chain) sum += pieces[link.edge.piece].edges[link.edge.edge].curve.length();
+  return sum;
+}
+
+SewnCorners::SewnCorners(const std::vector<Piece>& pieces) : pieces_(pieces) {
+  int corners = 0;
+  for (const Piece& piece : pieces) {
+    first_corner_.push_back(corners);
+    corners += static_cast<int>(piece.edges.size());
+  }
+  parent_.resize(corners);
+  std::iota(parent_.begin(), parent_.end(), 0);
+}
+
+int SewnCorners::find(int corner) const {
+  while (parent_[corner] != corner) corner = parent_[corner] = parent_[parent_[corner]];
+  return corner;
+}
+
+void SewnCorners::unite(int a, int b) {
+  parent_[find(a)] = find(b);
+}
+
+int SewnCorners::corner_at_start(const ChainLink& link) const {
+  const int n = static_cast<int>(pieces_[link.edge.piece].edges.size());
+  const int corner = link.forward ? link.edge.edge : (link.edge.edge + 1) % n;
+  return first_corner_[link.edge.piece] + corner;
+}
+
+int SewnCorners::start(const ChainLink& link) const {
+  return find(corner_at_start(link));
+}
+
+int SewnCorners::end(const ChainLink& link) const {
+  return start({link.edge, !link.forward});
+}
+
+bool SewnCorners::adjacent(const ChainLink& link, const ChainLink& next) const {
+  return corner_at_start({link.edge, !link.forward}) == corner_at_start(next);
+}
+
+void SewnCorners::sew(const Seam& seam) {
+  unite(start(seam.first.front()), start(seam.second.front()));
+  unite(end(seam.first.back()), end(seam.second.back()));
+  const double first_length = length(pieces_, seam.first), second_length = length(pieces_, seam.second);
+  double first_reached = 0;
+  for (const ChainLink& link : seam.first) {
+    first_reached += length(pieces_, {link}) / first_length;
+    double second_reached = 0;
+    for (const ChainLink& other : seam.second) {
+      second_reached += length(pieces_, {other}) / second_length;
+      if (std::abs(first_reached - second_reached) < 1e-6) unite(end(link), end(other));
+    }
+  }
+}
+
+}  // namespace toile

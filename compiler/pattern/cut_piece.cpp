@@ -1,0 +1,49 @@
+#include <fmt/format.h>
+
+#include "compiler/pattern/cutting.hpp"
+#include "compiler/pattern/region.hpp"
+
+namespace toile {
+namespace {
+
+bool check_allowances(const DraftPiece& draft, Findings& findings) {
+  const int before = findings.errors();
+  for (const DraftAllowance& allowance : draft.allowances) {
+    if (!allowance.edge.empty()) find_edge(draft, allowance.edge, allowance.written, findings);
+  }
+  return findings.errors() == before;
+}
+
+// A half may keep to its side of the fold and yet meet its own mirror image, where an edge runs along the fold line.
+bool check_unfolded(const DraftPiece& draft, const Piece& whole, Findings& findings) {
+  const std::vector<Crossing> found = self_crossings(whole_outline(whole.edges));
+  if (found.empty()) return true;
+  findings.error("E0307",
+                 fmt::format("piece {} meets its own other half at ({}, {}) when it is unfolded", quoted(draft.name),
+                             in_cm(found[0].point.x), in_cm(found[0].point.y)),
+                 {{draft.fold_written, "the fold"}, {draft.written, "the piece"}},
+                 "no edge but the fold may lie on the fold line");
+  return false;
+}
+
+}  // namespace
+
+std::vector<Piece> cut_piece(const DraftPiece& draft, Findings& findings) {
+  if (!check_outline(draft, findings)) return {};
+  DrawnPiece drawn = drawn_piece(draft);
+  // Each check reports for itself, so that one look shows all that is wrong with a piece.
+  const bool holes = check_holes(draft, findings);
+  const bool allowances = check_allowances(draft, findings);
+  const bool fold = !draft.fold || check_fold(draft, drawn, findings);
+  const bool marks = cut_darts_and_notches(draft, drawn, findings);
+  if (!holes || !allowances || !fold || !marks) return {};
+  if (draft.fold) {
+    Piece whole = unfolded(drawn.piece, *draft.fold);
+    if (!check_unfolded(draft, whole, findings)) return {};
+    return {whole};
+  }
+  if (draft.mirrored) return {drawn.piece, mirrored_copy(drawn.piece)};
+  return {drawn.piece};
+}
+
+}  // namespace toile

@@ -1,0 +1,90 @@
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/diag/nearest.hpp"
+#include "compiler/pattern/cutting.hpp"
+#include "compiler/pattern/sewing.hpp"
+
+namespace toile {
+namespace {
+
+// All parts of one copy of an edge in the order of the outline, which is that of the index.
+std::optional<Chain> parts_of(const std::vector<Piece>& pieces, const std::string& piece, const std::string& edge,
+                              Side side) {
+  Chain chain;
+  for (std::size_t p = 0; p < pieces.size(); ++p) {
+    if (pieces[p].drawn_name != piece) continue;
+    for (std::size_t e = 0; e < pieces[p].edges.size(); ++e) {
+      const PieceEdge& candidate = pieces[p].edges[e];
+      if (candidate.is_dart_leg || candidate.name != edge || candidate.side != side) continue;
+      chain.push_back({{static_cast<int>(p), static_cast<int>(e)}, true});
+    }
+  }
+  if (chain.empty()) return std::nullopt;
+  return chain;
+}
+
+std::string hole_with(const DraftPiece& piece, const std::string& edge) {
+  for (const DraftHole& hole : piece.holes) {
+    for (const DraftEdge& rim : hole.edges) {
+      if (rim.name == edge) return hole.name.empty() ? "a hole" : "hole " + quoted(hole.name);
+    }
+  }
+  return "";
+}
+
+}  // namespace
+
+std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const char* deed, Findings& findings) const {
+  const auto piece = std::find_if(draft_.pieces.begin(), draft_.pieces.end(),
+                                  [&](const DraftPiece& p) { return p.name == reference.piece; });
+  if (piece == draft_.pieces.end()) {
+    std::vector<std::string> names;
+    for (const DraftPiece& p : draft_.pieces) names.push_back(p.name);
+    findings.error("E0309",
+                   fmt::format("garment {} has no piece named {}", quoted(draft_.name), quoted(reference.piece)),
+                   {{reference.written, "unknown piece"}}, suggestion(reference.piece, names));
+    return std::nullopt;
+  }
+  if (piece->fold && reference.edge == *piece->fold) {
+    findings.error(
+        "E0315", fmt::format("the fold {} of piece {} cannot be {}", quoted(reference.edge), quoted(piece->name), deed),
+        {{reference.written, "here"}, {piece->fold_written, "the fold is no edge of the unfolded piece"}},
+        "leave this out, or leave out the fold to have a seam there");
+    return std::nullopt;
+  }
+  if (const std::string hole = hole_with(*piece, reference.edge); !hole.empty()) {
+    findings.error("E0308",
+                   fmt::format("edge {} bounds {} of piece {} and cannot be {}", quoted(reference.edge), hole,
+                               quoted(piece->name), deed),
+                   {{reference.written, "an edge of a hole"}, {piece->written, "the piece"}},
+                   "divide the piece so that the line becomes an edge of its outline");
+    return std::nullopt;
+  }
+  const std::optional<int> edge = find_edge(*piece, reference.edge, reference.written, findings);
+  if (!edge) return std::nullopt;
+  FoundEdge found{&reference, &*piece, &piece->outline[*edge], piece->fold || piece->mirrored, {}};
+  if (reference.side == Side::Mirrored && !found.copied) {
+    findings.error("E0322", fmt::format("piece {} has no mirrored copy", quoted(piece->name)),
+                   {{reference.written, "there is one copy of this edge"}, {piece->written, "the piece"}},
+                   "a piece has copies when it lies on the fold or is cut mirrored");
+    return std::nullopt;
+  }
+  for (const Side side : {Side::Drawn, Side::Mirrored}) {
+    found.copies[static_cast<std::size_t>(side)] = parts_of(pieces_, piece->name, reference.edge, side);
+  }
+  return found;
+}
+
+std::optional<std::vector<FoundEdge>> EdgeFinder::find(const std::vector<DraftEdgeRef>& references, const char* deed,
+                                                       Findings& findings) const {
+  std::vector<FoundEdge> found;
+  for (const DraftEdgeRef& reference : references) {
+    if (const std::optional<FoundEdge> edge = find(reference, deed, findings)) found.push_back(*edge);
+  }
+  if (found.size() != references.size() || found.empty()) return std::nullopt;
+  return found;
+}
+
+}  // namespace toile

@@ -1,0 +1,143 @@
+// Pieces laid on the fold, and mirrored pairs.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "compiler/pattern/cutting.hpp"
+#include "compiler/pattern/region.hpp"
+
+namespace toile {
+namespace {
+
+constexpr double kStraight = 1e-6;  // [m] by which a fold may stray from a straight line, and cloth reach over it
+
+Vec2 reflected(Vec2 p, Vec2 point, Vec2 axis) {
+  const Vec2 d = p - point;
+  return point + 2 * dot(d, axis) * axis - d;
+}
+
+PieceEdge mirrored_edge(const PieceEdge& edge, Vec2 point, Vec2 axis) {
+  PieceEdge copy = edge;
+  copy.side = Side::Mirrored;
+  copy.curve = edge.curve.reversed().mirrored(point, axis);
+  return copy;
+}
+
+std::vector<PieceEdge> mirrored_loop(const std::vector<PieceEdge>& edges, Vec2 point, Vec2 axis) {
+  std::vector<PieceEdge> loop(edges.size());
+  std::transform(edges.rbegin(), edges.rend(), loop.begin(),
+                 [&](const PieceEdge& edge) { return mirrored_edge(edge, point, axis); });
+  return loop;
+}
+
+// Notches and darts of a mirrored copy whose edge i became edge `last - i`. The copy is walked the other way round, so
+// the leg that came first on the way round now comes second.
+void add_mirrored_marks(const Piece& from, int last, Vec2 point, Vec2 axis, Piece& to) {
+  for (const Notch& notch : from.notches) {
+    to.notches.push_back({last - notch.edge, from.edges[notch.edge].curve.length() - notch.at, notch.written});
+  }
+  for (Dart dart : from.darts) {
+    dart.tip = reflected(dart.tip, point, axis);
+    const int left = dart.left_leg;
+    dart.left_leg = last - dart.right_leg;
+    dart.right_leg = last - left;
+    std::swap(to.edges[dart.left_leg].name, to.edges[dart.right_leg].name);
+    to.darts.push_back(dart);
+  }
+}
+
+// The farthest that the rest of the outline reaches over the fold line, and which edge does.
+std::pair<double, const PieceEdge*> reach_over(const Piece& piece, const std::string& fold, Vec2 point, Vec2 axis) {
+  std::pair<double, const PieceEdge*> worst{0, nullptr};
+  for (const PieceEdge& edge : piece.edges) {
+    if (edge.name == fold) continue;
+    for (const double s : edge.curve.divide(1e-5, 0.01)) {
+      const double over = -cross(axis, edge.curve.at(s) - point);
+      if (over > worst.first) worst = {over, &edge};
+    }
+  }
+  return worst;
+}
+
+}  // namespace
+
+bool check_fold(const DraftPiece& draft, const DrawnPiece& drawn, Findings& findings) {
+  const std::optional<int> index = find_edge(draft, *draft.fold, draft.fold_written, findings);
+  if (!index) return false;
+  if (draft.mirrored) {
+    findings.error("E0323", fmt::format("piece {} is both on the fold and cut in mirrored pairs", quoted(draft.name)),
+                   {{draft.fold_written, "its other half is its mirror image already"}, {draft.written, "the piece"}},
+                   "leave out `fold` for two separate pieces, or `mirrored` for one unfolded piece");
+    return false;
+  }
+  const DraftEdge& edge = draft.outline[*index];
+  const PieceEdge& fold = *std::find_if(drawn.piece.edges.begin(), drawn.piece.edges.end(),
+                                        [&](const PieceEdge& e) { return e.name == *draft.fold; });
+  const Vec2 from = fold.curve.start(), to = fold.curve.end();
+  const double chord = distance(from, to), length = fold.curve.length();
+  double stray = length - chord;
+  for (const double s : fold.curve.divide(1e-6, 0.05)) {
+    stray = std::max(stray, std::abs(cross(to - from, fold.curve.at(s) - from)) / std::max(chord, kStraight));
+  }
+  if (stray > kStraight) {
+    findings.error(
+        "E0306",
+        fmt::format("piece {} cannot be folded at {}, which is not straight", quoted(draft.name), quoted(edge.name)),
+        {{draft.fold_written, "the fold"}, {edge.written, "strays from a straight line by " + in_cm(stray)}},
+        "cloth folds along straight lines: draw the edge by `line to`");
+    return false;
+  }
+  const auto [over, culprit] = reach_over(drawn.piece, *draft.fold, from, (to - from) / chord);
+  if (over > kStraight) {
+    findings.error("E0307",
+                   fmt::format("edge {} of piece {} reaches {} over the fold line", quoted(culprit->name),
+                               quoted(draft.name), in_cm(over)),
+                   {{culprit->written, "crosses the fold line"}, {draft.fold_written, "the fold"}},
+                   "of a piece on the fold one half is drawn, which lies on one side of the fold");
+    return false;
+  }
+  return true;
+}
+
+Piece unfolded(const Piece& half, const std::string& fold) {
+  const auto is_fold = [&](const PieceEdge& edge) { return edge.name == fold; };
+  const int fold_index =
+      static_cast<int>(std::find_if(half.edges.begin(), half.edges.end(), is_fold) - half.edges.begin());
+  const int n = static_cast<int>(half.edges.size()) - 1;
+  const auto moved = [&](int edge) { return (edge - fold_index - 1 + n + 1) % (n + 1); };
+
+  const LineSegment line{half.edges[fold_index].curve.start(), half.edges[fold_index].curve.end()};
+  const Vec2 axis = (line.to - line.from) / distance(line.from, line.to);
+  Piece drawn = half;
+  drawn.edges.clear();
+  for (int i = 1; i <= n; ++i) drawn.edges.push_back(half.edges[(fold_index + i) % (n + 1)]);
+  for (Notch& notch : drawn.notches) notch.edge = moved(notch.edge);
+  for (Dart& dart : drawn.darts) {
+    dart.left_leg = moved(dart.left_leg);
+    dart.right_leg = moved(dart.right_leg);
+  }
+
+  Piece whole = drawn;
+  whole.fold = line;
+  for (const PieceEdge& edge : mirrored_loop(drawn.edges, line.from, axis)) whole.edges.push_back(edge);
+  for (const auto& hole : drawn.holes) whole.holes.push_back(mirrored_loop(hole, line.from, axis));
+  add_mirrored_marks(drawn, 2 * n - 1, line.from, axis, whole);
+  return whole;
+}
+
+Piece mirrored_copy(const Piece& piece) {
+  const Vec2 origin{0, 0}, axis{0, 1};
+  Piece copy = piece;
+  copy.name = piece.drawn_name + ".mirrored";
+  copy.side = Side::Mirrored;
+  copy.edges = mirrored_loop(piece.edges, origin, axis);
+  for (auto& hole : copy.holes) hole = mirrored_loop(hole, origin, axis);
+  copy.warp = reflected(piece.warp, origin, axis);
+  copy.notches.clear();
+  copy.darts.clear();
+  add_mirrored_marks(piece, static_cast<int>(piece.edges.size()) - 1, origin, axis, copy);
+  return copy;
+}
+
+}  // namespace toile

@@ -1,0 +1,176 @@
+// What can be wrong with an outline by itself.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <set>
+#include <utility>
+
+#include "compiler/pattern/cutting.hpp"
+#include "compiler/pattern/region.hpp"
+
+namespace toile {
+namespace {
+
+constexpr double kOpen = 1e-6;      // [m] ends nearer than this are joined
+constexpr double kNoLength = 1e-5;  // [m]
+constexpr double kAbsurd = 1000;    // [m]
+constexpr double kSliver = 1e-6;    // area over squared length of the outline
+constexpr int kMostPairs = 4;       // pairs of crossing edges reported
+
+std::string place(Vec2 p) {
+  return "(" + in_cm(p.x) + ", " + in_cm(p.y) + ")";
+}
+
+Curve loop_of(const std::vector<DraftEdge>& edges) {
+  std::vector<Curve> curves;
+  curves.reserve(edges.size());
+  for (const DraftEdge& edge : edges) curves.push_back(edge.curve);
+  return join(curves);
+}
+
+bool names_differ(const DraftPiece& draft, Findings& findings) {
+  bool good = true;
+  for (std::size_t i = 0; i < draft.outline.size(); ++i) {
+    for (std::size_t j = 0; j < i; ++j) {
+      if (draft.outline[i].name != draft.outline[j].name) continue;
+      findings.error("E0305",
+                     fmt::format("piece {} has two edges named {}", quoted(draft.name), quoted(draft.outline[i].name)),
+                     {{draft.outline[i].written, "the second"}, {draft.outline[j].written, "the first"}},
+                     "seams and darts find an edge by its name: give each its own");
+      good = false;
+      break;
+    }
+  }
+  return good;
+}
+
+bool lengths_are_sane(const std::string& owner, const std::vector<DraftEdge>& edges, Findings& findings) {
+  bool good = true;
+  for (const DraftEdge& edge : edges) {
+    const double length = edge.curve.length();
+    if (length >= kNoLength && length < kAbsurd) continue;
+    good = false;
+    if (length < kNoLength) {
+      findings.error("E0303", fmt::format("edge {} of {} has no length", quoted(edge.name), owner),
+                     {{edge.written, "ends where it starts, at " + place(edge.curve.start())}},
+                     "move its end, or leave the edge out");
+    } else {
+      findings.error("E0324",
+                     fmt::format("edge {} of {} has no length that cloth could have", quoted(edge.name), owner),
+                     {{edge.written, std::isfinite(length) ? in_cm(length) + " long" : "its length is no number"}});
+      return false;  // the cause spreads to the edges that follow
+    }
+  }
+  return good;
+}
+
+bool closes(const std::string& owner, const std::vector<DraftEdge>& edges, Location written, Findings& findings) {
+  bool good = true;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const DraftEdge& edge = edges[i];
+    const DraftEdge& next = edges[(i + 1) % edges.size()];
+    const double gap = distance(edge.curve.end(), next.curve.start());
+    if (gap <= kOpen) continue;
+    good = false;
+    const bool last = i + 1 == edges.size();
+    std::vector<Label> labels{{edge.written, "ends at " + place(edge.curve.end())}};
+    if (edges.size() > 1) labels.push_back({next.written, "starts at " + place(next.curve.start())});
+    if (last) labels.push_back({written, ""});
+    findings.error("E0301",
+                   fmt::format("the outline of {} is open: a gap of {} between the end of {} and the start of {}",
+                               owner, in_cm(gap), quoted(edge.name), quoted(next.name)),
+                   std::move(labels),
+                   last ? fmt::format("let {} end at the start: `... to start`", quoted(edge.name)) : "");
+  }
+  return good;
+}
+
+std::size_t edge_at(const std::vector<DraftEdge>& edges, double s) {
+  std::size_t i = 0;
+  while (i + 1 < edges.size() && s > edges[i].curve.length()) s -= edges[i++].curve.length();
+  return i;
+}
+
+bool crosses_itself(const std::string& owner, const std::vector<DraftEdge>& edges, Findings& findings) {
+  std::set<std::pair<std::size_t, std::size_t>> reported;
+  for (const Crossing& crossing : self_crossings(loop_of(edges))) {
+    const std::size_t i = edge_at(edges, crossing.s_first), j = edge_at(edges, crossing.s_second);
+    if (reported.size() >= kMostPairs || !reported.insert({i, j}).second) continue;
+    const std::string where = place(crossing.point);
+    if (i == j) {
+      findings.error("E0302", fmt::format("edge {} of {} crosses itself at {}", quoted(edges[i].name), owner, where),
+                     {{edges[i].written, "makes a loop"}}, "an outline meets itself nowhere but at its corners");
+      continue;
+    }
+    findings.error("E0302",
+                   fmt::format("the outline of {} crosses itself: {} and {} meet at {}", owner, quoted(edges[i].name),
+                               quoted(edges[j].name), where),
+                   {{edges[j].written, "meets " + quoted(edges[i].name) + " at " + where}, {edges[i].written, "here"}},
+                   "an outline meets itself nowhere but at its corners");
+  }
+  return !reported.empty();
+}
+
+bool check_loop(const std::string& owner, const std::vector<DraftEdge>& edges, Location written, Findings& findings) {
+  if (edges.empty()) {
+    findings.error("E0304", owner + " has no outline", {{written, ""}});
+    return false;
+  }
+  const bool sane = lengths_are_sane(owner, edges, findings);
+  if (!sane || !closes(owner, edges, written, findings) || crosses_itself(owner, edges, findings)) return false;
+  const Curve loop = loop_of(edges);
+  if (std::abs(signed_area(loop)) > kSliver * loop.length() * loop.length()) return true;
+  findings.error("E0304", fmt::format("the outline of {} encloses no area", owner),
+                 {{written, in_cm(loop.length()) + " around, and nothing inside"}});
+  return false;
+}
+
+std::string hole_of(const DraftPiece& draft, const DraftHole& hole) {
+  return hole.name.empty() ? "the hole in " + quoted(draft.name) : "hole " + quoted(hole.name);
+}
+
+}  // namespace
+
+bool check_outline(const DraftPiece& draft, Findings& findings) {
+  const bool named = names_differ(draft, findings);
+  return check_loop("piece " + quoted(draft.name), draft.outline, draft.written, findings) && named;
+}
+
+bool check_holes(const DraftPiece& draft, Findings& findings) {
+  const int before = findings.errors();
+  const Region region(loop_of(draft.outline));
+  for (std::size_t h = 0; h < draft.holes.size(); ++h) {
+    const DraftHole& hole = draft.holes[h];
+    const std::string owner = hole_of(draft, hole);
+    if (!check_loop(owner, hole.edges, hole.written, findings)) continue;
+    const Curve rim = loop_of(hole.edges);
+    const auto meets = [&](const std::string& other, const Curve& curve, Location written) {
+      const std::vector<Crossing> found = crossings(rim, curve);
+      if (found.empty()) return false;
+      findings.error("E0314", fmt::format("{} meets {} at {}", owner, other, place(found[0].point)),
+                     {{hole.written, "this hole"}, {written, "reaches it"}}, "keep a hole clear of other edges");
+      return true;
+    };
+    const bool crossed = std::any_of(draft.outline.begin(), draft.outline.end(), [&](const DraftEdge& edge) {
+      return meets("edge " + quoted(edge.name), edge.curve, edge.written);
+    });
+    if (crossed) continue;
+    if (!region.contains(rim.start())) {
+      findings.error("E0314", fmt::format("{} lies outside of its piece", owner),
+                     {{hole.written, "starts at " + place(rim.start())}, {draft.written, "the piece"}});
+    }
+    for (std::size_t other = 0; other < h; ++other) {
+      const Curve other_rim = loop_of(draft.holes[other].edges);
+      const std::string name = hole_of(draft, draft.holes[other]);
+      if (meets(name, other_rim, draft.holes[other].written)) continue;
+      if (Region(other_rim).contains(rim.start()) || Region(rim).contains(other_rim.start())) {
+        findings.error("E0314", fmt::format("{} and {} lie one inside the other", owner, name),
+                       {{hole.written, ""}, {draft.holes[other].written, ""}});
+      }
+    }
+  }
+  return findings.errors() == before;
+}
+
+}  // namespace toile

@@ -1,0 +1,115 @@
+// The evaluated pattern: what a garment is before there is any mesh. Exact curves, seams, worn lines, cloth.
+// Lengths in metres, angles in radians, SI throughout. Produced by compiler/evaluate, consumed by compiler/pmesh, the
+// drawing and the runtime. Nothing here refers to syntax but for the Locations that say where a thing was written.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/curve/curve.hpp"
+#include "compiler/pattern/fabric_sheet.hpp"
+#include "compiler/pattern/textile.hpp"
+#include "grammar/source.hpp"
+
+namespace toile {
+
+using PieceId = int;
+
+/// Which copy of a drawn edge: pieces on the fold and pieces cut in mirrored pairs have both.
+enum class Side { Drawn, Mirrored };
+
+/// One edge of a piece's outline. A dart at an edge splits it: "waist" then comes as several edges of the same name,
+/// told apart by `part`, with the dart's two legs ("dart1.left", "dart1.right") between them.
+struct PieceEdge {
+  std::string name;
+  Side side = Side::Drawn;  // on a fold piece: which half it belongs to
+  int part = 0;             // 0, 1, … along the direction of drawing when a dart or a seam divided the edge
+  bool is_dart_leg = false;
+  Curve curve;           // in the direction in which the outline is walked
+  double allowance = 0;  // [m] seam allowance outside the edge
+  Location written;
+};
+
+struct Notch {
+  int edge = 0;   // index into Piece::edges
+  double at = 0;  // [m] arc length along that edge
+  Location written;
+};
+
+struct Dart {
+  std::string name;
+  int left_leg = 0;  // indices into Piece::edges; the legs meet at the tip
+  int right_leg = 0;
+  Vec2 tip;
+  double width = 0;  // [m] at the mouth
+  double depth = 0;  // [m] from the middle of the mouth to the tip
+  Location written;
+};
+
+/// One piece of cloth as it is cut: unfolded (both halves of a piece on the fold), with darts cut as wedges. A piece
+/// cut in mirrored pairs is two Pieces, the second with Side::Mirrored. The outline is closed and simple, and is walked
+/// counter-clockwise (cloth on the left), right side of the cloth up.
+struct Piece {
+  std::string name;        // "front"; the mirrored copy is "front.mirrored"
+  std::string drawn_name;  // "front" for both
+  Side side = Side::Drawn;
+  std::vector<PieceEdge> edges;
+  std::vector<std::vector<PieceEdge>> holes;  // walked clockwise
+  std::optional<LineSegment> fold;            // where it was folded, for drawing and for centring
+  Vec2 warp{0, -1};  // unit vector: the direction of the warp (u) in the drawing; weft is perpendicular(warp)
+  std::vector<Notch> notches;
+  std::vector<Dart> darts;
+  int quantity = 1;
+  Location written;
+};
+
+/// A reference to one edge of one piece.
+struct EdgeRef {
+  PieceId piece = 0;
+  int edge = 0;  // index into Piece::edges
+
+  friend constexpr bool operator==(EdgeRef, EdgeRef) = default;
+};
+
+/// Edges walked one after another as one line. `forward` tells whether an edge is walked as its outline is.
+struct ChainLink {
+  EdgeRef edge;
+  bool forward = true;
+};
+using Chain = std::vector<ChainLink>;
+
+/// Two chains sewn together: the point at the fraction t of the first's arc length meets the point at the fraction t of
+/// the second's (both chains are already directed so that this holds; `reversed` of the script is resolved). Nodes of
+/// the mesh lie at equal fractions on both. A dart's legs are a seam like any other.
+struct Seam {
+  std::string name;
+  Chain first;
+  Chain second;
+  enum class Fullness { None, Ease, Gather, Stretch } fullness = Fullness::None;
+  double stated = 0;  // [m] the stated difference of lengths
+  bool is_dart = false;
+  Location written;
+};
+
+/// Edges worn at a line of the body.
+struct Wear {
+  Chain chain;       // in the script's order, each link directed so that the chain runs on continuously once sewn
+  std::string line;  // name of the body's line, "waist"
+  bool held = true;  // held there for good (a waistband), or only placed there to start with
+  double from =
+      0;  // fraction of the line's girth by which the chain's centring is turned from the front, ccw seen from above
+  Location written;
+};
+
+struct Garment {
+  std::string name;
+  std::vector<Piece> pieces;
+  std::vector<Seam> seams;
+  std::vector<Wear> wears;
+  FabricSheet fabric;
+  Textile textile;
+  Location written;
+};
+
+}  // namespace toile

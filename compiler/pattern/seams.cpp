@@ -1,0 +1,211 @@
+// Seams of darts and of the script: which copies of the edges meet, and in which direction (see draft.hpp).
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "compiler/pattern/sewing.hpp"
+
+namespace toile {
+namespace {
+
+using FoundChain = std::vector<FoundEdge>;
+
+Side other(Side side) {
+  return side == Side::Drawn ? Side::Mirrored : Side::Drawn;
+}
+
+const Chain& drawn_copy(const FoundEdge& edge) {
+  return *edge.copies[static_cast<std::size_t>(Side::Drawn)];
+}
+
+// From start to end of the drawn line, walked with its cloth on the left.
+Vec2 chord(const std::vector<Piece>& pieces, const FoundEdge& edge) {
+  const Chain& links = drawn_copy(edge);
+  const auto& edges = pieces[links.front().edge.piece].edges;
+  return edges[links.back().edge.edge].curve.end() - edges[links.front().edge.edge].curve.start();
+}
+
+bool any_free(const FoundChain& chain) {
+  return std::any_of(chain.begin(), chain.end(), [](const FoundEdge& e) { return e.free(); });
+}
+bool any_single(const FoundChain& chain) {
+  return std::any_of(chain.begin(), chain.end(), [](const FoundEdge& e) { return !e.copied; });
+}
+bool any_stated(const FoundChain& chain) {
+  return std::any_of(chain.begin(), chain.end(), [](const FoundEdge& e) { return e.written->side.has_value(); });
+}
+bool all_cut(const FoundChain& chain) {
+  return std::all_of(chain.begin(), chain.end(), [](const FoundEdge& e) { return e.cut(); });
+}
+
+// Finds the seams that one `sew` stands for.
+class Pairing {
+ public:
+  Pairing(const DraftSeam& draft, FoundChain first, FoundChain second, const std::vector<Piece>& pieces,
+          const SewnCorners& corners)
+      : draft_(draft), first_(std::move(first)), second_(std::move(second)), pieces_(pieces), corners_(corners) {}
+
+  std::vector<Seam> seams() const {
+    const bool free = any_free(first_) || any_free(second_);
+    const bool single = any_single(first_) || any_single(second_);
+    const bool stated = any_stated(first_) || any_stated(second_);
+    if (!free || single) return {seam(whole(first_, true), whole(second_, draft_.reversed))};
+    if (stated) return {pair(stated_side())};
+    Seam drawn = pair(Side::Drawn), mirrored = pair(Side::Mirrored);
+    if (same_edges(drawn, mirrored)) return {std::move(drawn)};
+    return {std::move(drawn), std::move(mirrored)};
+  }
+
+ private:
+  // Two lines that face the same side are mirror images of each other in the garment: drawn meets mirrored.
+  bool same_way() const { return dot(chord(pieces_, first_.front()), chord(pieces_, second_.front())) > 0; }
+
+  Side partner(Side side) const { return same_way() ? other(side) : side; }
+
+  Side stated_side() const {
+    if (first_.front().written->side) return *first_.front().written->side;
+    if (second_.front().written->side) return partner(*second_.front().written->side);
+    return Side::Drawn;
+  }
+
+  Strand strand(const FoundChain& chain, std::size_t i, Side side, bool cloth_on_left) const {
+    const Chain& links = *chain[i].copies[static_cast<std::size_t>(side)];
+    return {static_cast<int>(i), side, cloth_on_left ? links : reversed(links)};
+  }
+
+  // Every copy of every edge as one line.
+  std::vector<Strand> whole(const FoundChain& chain, bool cloth_on_left) const {
+    std::vector<Strand> strands;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      if (chain[i].free()) {
+        for (Strand& copy : both_copies(chain[i], static_cast<int>(i), cloth_on_left, corners_)) {
+          strands.push_back(std::move(copy));
+        }
+      } else {
+        strands.push_back(strand(chain, i, chain[i].written->side.value_or(Side::Drawn), cloth_on_left));
+      }
+    }
+    return completed(line_up(strands, false, corners_), false);
+  }
+
+  // One copy of every edge: that of the leading one is given, the others are those that run on from it.
+  std::vector<Strand> one_side(const FoundChain& chain, Side leading, bool cloth_on_left) const {
+    std::vector<Strand> strands;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      const std::optional<Side> stated = chain[i].written->side;
+      if (i == 0 || stated) {
+        strands.push_back(strand(chain, i, stated.value_or(leading), cloth_on_left));
+        continue;
+      }
+      // Where nothing joins them yet, edges that face the same side are taken for mirror images.
+      const bool like_leading = dot(chord(pieces_, chain[0]), chord(pieces_, chain[i])) <= 0;
+      const Side likely = like_leading ? leading : other(leading);
+      strands.push_back(strand(chain, i, likely, cloth_on_left));
+      strands.push_back(strand(chain, i, other(likely), cloth_on_left));
+    }
+    return completed(line_up(strands, true, corners_), true);
+  }
+
+  // Edges that nothing joins yet are joined by this very seam, in the order of the script.
+  static std::vector<Strand> completed(LinedUp lined_up, bool one_of_each) {
+    std::vector<Strand> strands = std::move(lined_up.strands);
+    for (Strand& rest : lined_up.left_over) {
+      const bool served = one_of_each && std::any_of(strands.begin(), strands.end(),
+                                                     [&](const Strand& s) { return s.reference == rest.reference; });
+      if (!served) strands.push_back(std::move(rest));
+    }
+    return strands;
+  }
+
+  Seam pair(Side leading) const {
+    return seam(one_side(first_, leading, true), one_side(second_, partner(leading), draft_.reversed));
+  }
+
+  std::string chain_name(const FoundChain& chain, const std::vector<Strand>& strands) const {
+    std::string name;
+    for (std::size_t i = 0; i < chain.size(); ++i) {
+      std::vector<Side> sides;
+      for (const Strand& s : strands) {
+        if (s.reference == static_cast<int>(i)) sides.push_back(s.side);
+      }
+      name += (i > 0 ? " + " : "") + edge_name(chain[i], sides.size() == 1 ? std::optional(sides[0]) : std::nullopt);
+    }
+    return name;
+  }
+
+  Seam seam(const std::vector<Strand>& first, const std::vector<Strand>& second) const {
+    return {chain_name(first_, first) + " to " + chain_name(second_, second),
+            joined(first),
+            joined(second),
+            draft_.fullness,
+            draft_.stated.value_or(0),
+            false,
+            draft_.written};
+  }
+
+  static std::vector<std::pair<int, int>> edges_of(const Seam& seam) {
+    std::vector<std::pair<int, int>> edges;
+    for (const Chain* chain : {&seam.first, &seam.second}) {
+      for (const ChainLink& link : *chain) edges.emplace_back(link.edge.piece, link.edge.edge);
+    }
+    std::sort(edges.begin(), edges.end());
+    return edges;
+  }
+  static bool same_edges(const Seam& a, const Seam& b) { return edges_of(a) == edges_of(b); }
+
+  const DraftSeam& draft_;
+  FoundChain first_, second_;
+  const std::vector<Piece>& pieces_;
+  const SewnCorners& corners_;
+};
+
+// The copies of one edge alone can be paired without knowing what else is sewn; chains need to know.
+bool needs_corners(const FoundChain& first, const FoundChain& second) {
+  if (first.size() > 1 || second.size() > 1) return true;
+  return (any_free(first) || any_free(second)) && (any_single(first) || any_single(second));
+}
+
+}  // namespace
+
+std::vector<Seam> dart_seams(const std::vector<Piece>& pieces, SewnCorners& corners) {
+  std::vector<Seam> seams;
+  for (int p = 0; p < static_cast<int>(pieces.size()); ++p) {
+    for (const Dart& dart : pieces[p].darts) {
+      Seam seam;
+      seam.name = pieces[p].drawn_name + "." + dart.name;
+      if (pieces[p].edges[dart.left_leg].side == Side::Mirrored) seam.name += ".mirrored";
+      seam.first = {{{p, dart.left_leg}, true}};
+      seam.second = {{{p, dart.right_leg}, false}};
+      seam.is_dart = true;
+      seam.written = dart.written;
+      corners.sew(seam);
+      seams.push_back(std::move(seam));
+    }
+  }
+  return seams;
+}
+
+std::vector<std::vector<Seam>> resolve_seams(const DraftGarment& draft, const std::vector<Piece>& pieces,
+                                             SewnCorners& corners, Findings& findings) {
+  const EdgeFinder finder(draft, pieces);
+  std::vector<std::optional<std::pair<FoundChain, FoundChain>>> found;
+  for (const DraftSeam& seam : draft.seams) {
+    std::optional<FoundChain> first = finder.find(seam.first, "sewn", findings);
+    std::optional<FoundChain> second = finder.find(seam.second, "sewn", findings);
+    const bool ready = first && second && all_cut(*first) && all_cut(*second);
+    found.push_back(ready ? std::optional(std::pair(std::move(*first), std::move(*second))) : std::nullopt);
+  }
+  std::vector<std::vector<Seam>> seams(draft.seams.size());
+  for (const bool chains : {false, true}) {
+    for (std::size_t i = 0; i < seams.size(); ++i) {
+      if (!found[i] || needs_corners(found[i]->first, found[i]->second) != chains) continue;
+      seams[i] = Pairing(draft.seams[i], found[i]->first, found[i]->second, pieces, corners).seams();
+      for (const Seam& seam : seams[i]) corners.sew(seam);
+    }
+  }
+  return seams;
+}
+
+}  // namespace toile

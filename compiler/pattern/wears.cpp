@@ -1,0 +1,77 @@
+// Worn lines: edges lined up so that they run on continuously once the garment is sewn.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <map>
+#include <utility>
+
+#include "compiler/pattern/sewing.hpp"
+
+namespace toile {
+namespace {
+
+std::vector<Strand> strands_of(const std::vector<FoundEdge>& edges, const SewnCorners& corners) {
+  std::vector<Strand> strands;
+  for (std::size_t i = 0; i < edges.size(); ++i) {
+    const int reference = static_cast<int>(i);
+    if (edges[i].free()) {
+      for (Strand& copy : both_copies(edges[i], reference, true, corners)) strands.push_back(std::move(copy));
+    } else {
+      const Side side = edges[i].written->side.value_or(Side::Drawn);
+      strands.push_back({reference, side, *edges[i].copies[static_cast<std::size_t>(side)]});
+    }
+  }
+  return strands;
+}
+
+void report_break(const DraftWear& draft, const std::vector<FoundEdge>& edges, const LinedUp& lined_up,
+                  Findings& findings) {
+  const Strand& rest = lined_up.left_over.front();
+  const Strand& last = lined_up.strands.back();
+  const FoundEdge& loose = edges[rest.reference];
+  const FoundEdge& end = edges[last.reference];
+  const auto name = [](const FoundEdge& edge, Side side) { return quoted(edge_name(edge, side)); };
+  findings.error(
+      "E0319",
+      fmt::format("the worn line is not continuous once sewn: {} does not run on into {}", name(end, last.side),
+                  name(loose, rest.side)),
+      {{loose.written->written, "no seam joins this edge to the others"},
+       {end.written->written, "the line ends here"},
+       {draft.written, "the worn line"}},
+      "sew the edges beside them, name one copy alone (`piece.edge.mirrored`), or write a `wear` for each line");
+}
+
+}  // namespace
+
+std::vector<Wear> resolve_wears(const DraftGarment& draft, const std::vector<Piece>& pieces, const SewnCorners& corners,
+                                bool complete, Findings& findings) {
+  const EdgeFinder finder(draft, pieces);
+  std::vector<Wear> wears;
+  for (const DraftWear& wear : draft.wears) {
+    const std::optional<std::vector<FoundEdge>> edges = finder.find(wear.chain, "worn", findings);
+    if (!edges || !std::all_of(edges->begin(), edges->end(), [](const FoundEdge& e) { return e.cut(); })) continue;
+    LinedUp lined_up = line_up(strands_of(*edges, corners), false, corners);
+    if (!lined_up.left_over.empty() && complete) report_break(wear, *edges, lined_up, findings);
+    wears.push_back({joined(lined_up.strands), wear.line, wear.held, wear.from, wear.written});
+  }
+  return wears;
+}
+
+void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& pieces, Findings& findings) {
+  std::map<std::pair<int, int>, Location> worn;
+  for (const Wear& wear : wears) {
+    for (const ChainLink& link : wear.chain) {
+      const auto [before, fresh] = worn.insert({{link.edge.piece, link.edge.edge}, wear.written});
+      if (fresh) continue;
+      const Piece& piece = pieces[link.edge.piece];
+      const PieceEdge& edge = piece.edges[link.edge.edge];
+      findings.error(
+          "E0318", fmt::format("edge {} is worn twice", quoted(piece.drawn_name + "." + edge.name)),
+          {{wear.written, "the second time"}, {before->second, "the first time"}, {edge.written, "the edge"}},
+          "an edge is worn at one line of the body");
+      break;
+    }
+  }
+}
+
+}  // namespace toile

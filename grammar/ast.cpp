@@ -1,0 +1,81 @@
+#include "grammar/ast.hpp"
+
+#include <charconv>
+#include <cmath>
+
+namespace toile::syntax {
+namespace {
+
+std::vector<Token> names_of(View parent) {
+  std::vector<Token> names;
+  for (const Token leaf : all<Token>(parent)) {
+    if (leaf.kind() == Kind::Name) names.push_back(leaf);
+  }
+  return names;
+}
+
+std::vector<Property> properties_of(View parent) {
+  const auto properties = child<Properties>(parent);
+  return properties ? properties->list() : std::vector<Property>{};
+}
+
+}  // namespace
+
+std::vector<View> items(View parent) {
+  if (parent.kind() != Kind::File && parent.kind() != Kind::Block) {
+    const auto block = child<Block>(parent);
+    return block ? items(*block) : std::vector<View>{};
+  }
+  std::vector<View> found;
+  for (const View view : children(parent)) {
+    if (is_statement(view.kind())) found.push_back(view);
+  }
+  return found;
+}
+
+std::string string_value(View string_or_token, const Source& source) {
+  std::string_view text = source.slice(string_or_token.span());
+  if (text.size() < 2) return {};
+  text = text.substr(1, text.size() - 2);
+  std::string value;
+  value.reserve(text.size());
+  for (std::size_t i = 0; i < text.size(); ++i) {
+    if (text[i] != '\\' || i + 1 == text.size()) {
+      value += text[i];
+      continue;
+    }
+    ++i;
+    value += text[i] == 'n' ? '\n' : text[i];
+  }
+  return value;
+}
+
+double number_value(Token digits, const Source& source) {
+  const std::string_view text = source.slice(digits.span());
+  double value = 0;
+  const auto read = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (read.ec == std::errc::result_out_of_range && text.find('-') == std::string_view::npos) return HUGE_VAL;
+  return value;
+}
+
+std::optional<Token> BodyPart::name() const {
+  const auto first = child<Token>(*this, 0);
+  const auto second = child<Token>(*this, 1);
+  const bool named = first && second && second->kind() == Kind::Name;
+  return named ? second : std::nullopt;
+}
+
+std::vector<Property> BodyPart::properties() const {
+  return properties_of(*this);
+}
+std::vector<Property> Dart::properties() const {
+  return properties_of(*this);
+}
+std::vector<Token> EdgeRef::path() const {
+  return names_of(*this);
+}
+std::vector<Token> RenderOption::names() const {
+  return names_of(*this);
+}
+
+}  // namespace toile::syntax

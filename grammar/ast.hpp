@@ -1,0 +1,378 @@
+// Typed views of the syntax tree: one small struct a construct, two words each, made from a node and never owning it.
+//
+//   const Parsed parsed = parse(source);
+//   for (View item : items(root(parsed.tree)))              // statements of the file, of a block, of an outline
+//     if (auto let = as<Let>(item)) { ... let->name(), let->value() ... }
+//
+// - Every view has kind(), span() and, being a View, works with as<T>, children(), doc().
+// - Accessors give std::optional (or an empty vector): where the text was broken the part is missing, and a SyntaxError
+//   tells so. A statement whose keyword was read always has its node, with the parts that were read before the mistake;
+//   expressions are whole or absent.
+// - Texts are not in the tree: source.slice(view.span()), string_value(), number_value() take the source.
+#pragma once
+
+#include "grammar/view.hpp"
+
+namespace toile::syntax {
+
+/// Views of one kind of node.
+template <Kind K>
+struct ViewOf : View {
+  static constexpr bool matches(Kind kind) { return kind == K; }
+};
+
+inline View root(const Tree& tree) {
+  return {&tree, Tree::root()};
+}
+
+/// The statements directly in the file, in a Block, or in the Block of a statement (Garment, Piece, Outline, Fabric,
+/// …). Statements are the nodes with is_statement(kind()). Empty when there is no block.
+std::vector<View> items(View parent);
+
+// ---------------------------------------------------------------------------------------------------- expressions
+
+/// Any expression; switch over kind() or try as<Binary>(expr) and so on.
+/// Kinds: If Binary Unary Member Call Index NameRef Number String Colour Boolean Tuple List.
+struct Expr : View {
+  static constexpr bool matches(Kind kind) { return is_expression(kind); }
+};
+
+struct If : ViewOf<Kind::If> {
+  std::optional<Expr> condition() const { return after<Expr>(*this, Kind::KwIf); }
+  std::optional<Expr> then() const { return after<Expr>(*this, Kind::KwThen); }
+  std::optional<Expr> otherwise() const { return after<Expr>(*this, Kind::KwElse); }
+};
+
+/// left op right; op().kind() is one of KwOr KwAnd Less LessEqual Greater GreaterEqual Equal NotEqual Plus Minus Star
+/// Slash Caret. `+ - * /` associate to the left, `^` to the right; comparisons do not chain.
+struct Binary : ViewOf<Kind::Binary> {
+  std::optional<Expr> left() const { return child<Expr>(*this, 0); }
+  std::optional<Token> op() const { return child<Token>(*this); }
+  std::optional<Expr> right() const { return child<Expr>(*this, 1); }
+};
+
+/// op().kind() is Minus or KwNot. `-a ^ b` is -(a ^ b).
+struct Unary : ViewOf<Kind::Unary> {
+  std::optional<Token> op() const { return child<Token>(*this); }
+  std::optional<Expr> operand() const { return child<Expr>(*this); }
+};
+
+/// object.name, as `form.waist.girth`; any word may follow the dot.
+struct Member : ViewOf<Kind::Member> {
+  std::optional<Expr> object() const { return child<Expr>(*this); }
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+};
+
+/// `value`, or `name: value`.
+struct Argument : ViewOf<Kind::Argument> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> value() const { return child<Expr>(*this); }
+};
+
+struct Call : ViewOf<Kind::Call> {
+  std::optional<Expr> callee() const { return child<Expr>(*this); }
+  std::vector<Argument> arguments() const { return all<Argument>(*this); }
+};
+
+/// object[index]
+struct Index : ViewOf<Kind::Index> {
+  std::optional<Expr> object() const { return child<Expr>(*this, 0); }
+  std::optional<Expr> index() const { return child<Expr>(*this, 1); }
+};
+
+struct NameRef : ViewOf<Kind::NameRef> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+};
+
+/// `60cm`, `0.65 gf/cm/deg`, `2`: the number and, if written, its unit.
+struct Number : ViewOf<Kind::Number> {
+  std::optional<Token> digits() const { return token(*this, Kind::Digits); }
+  std::optional<Token> unit() const { return token(*this, Kind::Unit); }
+};
+
+struct String : ViewOf<Kind::String> {};  // string_value() gives its text
+struct Colour : ViewOf<Kind::Colour> {};  // the slice is #rgb, #rrggbb or #rrggbbaa
+struct Boolean : ViewOf<Kind::Boolean> {
+  bool value() const { return has(*this, Kind::KwTrue); }
+};
+
+/// `(a)` groups, `(x, y)` is a point, `(x, y, z)` a point in space: one, two or three parts.
+struct Tuple : ViewOf<Kind::Tuple> {
+  std::vector<Expr> parts() const { return all<Expr>(*this); }
+};
+
+/// The `for NAME in expr [.. expr]` of a list.
+struct For : ViewOf<Kind::For> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> from() const { return after<Expr>(*this, Kind::KwIn); }
+  std::optional<Expr> to() const { return after<Expr>(*this, Kind::DotDot); }
+};
+
+/// `[a, b]`, or `[a for i in 1..3]`: then elements() has the one expression and generator() is there.
+struct List : ViewOf<Kind::List> {
+  std::vector<Expr> elements() const { return all<Expr>(*this); }
+  std::optional<For> generator() const { return child<For>(*this); }
+};
+
+/// The text between the quotes, escapes resolved.
+std::string string_value(View string_or_token, const Source& source);
+
+/// The digits as a double, independent of the locale; infinite when too large for one.
+double number_value(Token digits, const Source& source);
+
+// ----------------------------------------------------------------------------------------------------- statements
+
+/// import bodies as b; import "cuffs.toile"
+struct Import : ViewOf<Kind::Import> {
+  std::optional<Token> module() const { return token(*this, Kind::Name); }  // kind Name, or else:
+  std::optional<Token> path() const { return token(*this, Kind::Text); }    // use string_value()
+  std::optional<Token> alias() const { return after<Token>(*this, Kind::KwAs); }
+};
+
+/// in low .. high
+struct Range : ViewOf<Kind::Range> {
+  std::optional<Expr> low() const { return after<Expr>(*this, Kind::KwIn); }
+  std::optional<Expr> high() const { return after<Expr>(*this, Kind::DotDot); }
+};
+
+struct Param : ViewOf<Kind::Param> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> value() const { return child<Expr>(*this); }
+  std::optional<Range> range() const { return child<Range>(*this); }
+};
+
+struct Let : ViewOf<Kind::Let> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> value() const { return child<Expr>(*this); }
+};
+
+struct Parameter : ViewOf<Kind::Parameter> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> fallback() const { return child<Expr>(*this); }
+};
+
+struct Parameters : ViewOf<Kind::Parameters> {
+  std::vector<Parameter> list() const { return all<Parameter>(*this); }
+};
+
+/// A block in braces; result() is the last expression of a function's block.
+struct Block : ViewOf<Kind::Block> {
+  std::optional<Expr> result() const { return child<Expr>(*this); }
+};
+
+/// `fn f(a, b = 1cm) = expr`, or with a block of lets and a result.
+struct Fn : ViewOf<Kind::Fn> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
+  std::optional<Block> block() const { return child<Block>(*this); }  // items() of it are Lets
+  std::optional<Expr> result() const {                                // of either form
+    const auto body = block();
+    return body ? body->result() : child<Expr>(*this);
+  }
+};
+
+/// ROWNAME expr { "," expr }: a line of a fabric or textile block.
+struct Row : ViewOf<Kind::Row> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::vector<Expr> values() const { return all<Expr>(*this); }
+};
+
+/// items() are Rows.
+struct Fabric : ViewOf<Kind::Fabric> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> base() const { return after<Expr>(*this, Kind::Assign); }
+};
+
+/// items() are Rows.
+struct Textile : ViewOf<Kind::Textile> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+};
+
+/// NAME expr between the braces of a body part or a dart.
+struct Property : ViewOf<Kind::Property> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> value() const { return child<Expr>(*this); }
+};
+
+struct Properties : ViewOf<Kind::Properties> {
+  std::vector<Property> list() const { return all<Property>(*this); }
+};
+
+/// section waist at 104cm { girth 68cm, width 24cm }
+struct BodyPart : ViewOf<Kind::BodyPart> {
+  std::optional<Token> role() const { return child<Token>(*this); }  // KwSection, KwLimb, KwLine, or Name: another word
+  std::optional<Token> name() const;
+  std::optional<Expr> at() const { return after<Expr>(*this, Kind::KwAt); }
+  std::vector<Property> properties() const;
+};
+
+/// `body form = expr [with { parts }]`, or `body name(parameters) { lets and parts }`. items() are Lets and BodyParts.
+struct Body : ViewOf<Kind::Body> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
+  std::optional<Expr> base() const { return after<Expr>(*this, Kind::Assign); }
+};
+
+/// items() are Lets, Params, Fns, Pieces, Sews and Wears.
+struct Garment : ViewOf<Kind::Garment> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
+  std::optional<Expr> fabric() const { return after<Expr>(*this, Kind::KwIn); }
+  std::optional<Expr> textile() const { return after<Expr>(*this, Kind::KwPrinted); }
+};
+
+/// items() are Let Outline Hole Fold Cut Grain Dart Notch Allowance Label.
+struct Piece : ViewOf<Kind::Piece> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
+};
+
+/// items() are Edges. Without origin() the edges replace those of the varied piece.
+struct Outline : ViewOf<Kind::Outline> {
+  std::optional<Expr> origin() const { return after<Expr>(*this, Kind::KwFrom); }
+};
+
+/// items() are Edges.
+struct Hole : ViewOf<Kind::Hole> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> origin() const { return after<Expr>(*this, Kind::KwFrom); }
+};
+
+/// How an edge goes on from the pen; kind() is LineWalk CurveWalk ArcWalk BezierWalk CircleWalk AlongWalk.
+struct Walk : View {
+  static constexpr bool matches(Kind kind) { return is_walk(kind); }
+
+  bool to_start() const { return has(*this, Kind::KwStart); }
+  std::optional<Expr> target() const { return after<Expr>(*this, Kind::KwTo); }  // absent when to_start()
+  std::optional<Expr> leaving() const { return after<Expr>(*this, Kind::KwLeaving); }
+  std::optional<Expr> arriving() const { return after<Expr>(*this, Kind::KwArriving); }
+  std::optional<Expr> through() const { return after<Expr>(*this, Kind::KwThrough); }
+  std::optional<Expr> radius() const { return after<Expr>(*this, Kind::KwRadius); }
+  bool large() const { return has(*this, Kind::KwLarge); }
+  std::optional<Expr> first_control() const { return after<Expr>(*this, Kind::KwVia); }
+  std::optional<Expr> second_control() const { return after<Expr>(*this, Kind::Comma); }
+  std::optional<Expr> about() const { return after<Expr>(*this, Kind::KwAbout); }
+  std::optional<Expr> along() const { return after<Expr>(*this, Kind::KwAlong); }
+};
+
+struct Edge : ViewOf<Kind::Edge> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Walk> walk() const { return child<Walk>(*this); }
+};
+
+struct Fold : ViewOf<Kind::Fold> {
+  std::optional<Token> edge() const { return token(*this, Kind::Name); }
+};
+
+struct Cut : ViewOf<Kind::Cut> {
+  std::optional<Expr> count() const { return child<Expr>(*this); }
+  bool mirrored() const { return has(*this, Kind::KwMirrored); }
+};
+
+/// direction() is KwDown KwUp KwLeft KwRight KwBias, or else angle() is there.
+struct Grain : ViewOf<Kind::Grain> {
+  std::optional<Token> direction() const { return child<Token>(*this, 1); }
+  std::optional<Expr> angle() const { return child<Expr>(*this); }
+};
+
+/// `55% of waist`: how far along which edge.
+struct Position : ViewOf<Kind::Position> {
+  std::optional<Expr> where() const { return child<Expr>(*this); }
+  std::optional<Token> edge() const { return token(*this, Kind::Name); }
+};
+
+struct Dart : ViewOf<Kind::Dart> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Position> position() const { return child<Position>(*this); }
+  std::vector<Property> properties() const;
+};
+
+struct Notch : ViewOf<Kind::Notch> {
+  std::optional<Position> position() const { return child<Position>(*this); }
+};
+
+struct EdgeAllowance : ViewOf<Kind::EdgeAllowance> {
+  std::optional<Token> edge() const { return token(*this, Kind::Name); }
+  std::optional<Expr> width() const { return child<Expr>(*this); }
+};
+
+/// allowance 1cm, hem 4cm
+struct Allowance : ViewOf<Kind::Allowance> {
+  std::optional<Expr> width() const { return child<Expr>(*this); }
+  std::vector<EdgeAllowance> exceptions() const { return all<EdgeAllowance>(*this); }
+};
+
+struct Label : ViewOf<Kind::Label> {
+  std::optional<Expr> text() const { return child<Expr>(*this); }
+};
+
+/// `front.side`, `sleeve.cap.mirrored`: two names or more.
+struct EdgeRef : ViewOf<Kind::EdgeRef> {
+  std::vector<Token> path() const;
+};
+
+struct Chain : ViewOf<Kind::Chain> {
+  std::vector<EdgeRef> edges() const { return all<EdgeRef>(*this); }
+};
+
+/// word() is KwReversed, KwEase, KwGather or KwStretch; the last three may have an amount.
+struct SewOption : ViewOf<Kind::SewOption> {
+  std::optional<Token> word() const { return child<Token>(*this); }
+  std::optional<Expr> amount() const { return child<Expr>(*this); }
+};
+
+struct Sew : ViewOf<Kind::Sew> {
+  std::optional<Chain> first() const { return after<Chain>(*this, Kind::KwSew); }
+  std::optional<Chain> second() const { return after<Chain>(*this, Kind::KwTo); }
+  std::vector<SewOption> options() const { return all<SewOption>(*this); }
+};
+
+/// word() is KwHeld or KwPlaced, or KwFrom with origin().
+struct WearOption : ViewOf<Kind::WearOption> {
+  std::optional<Token> word() const { return child<Token>(*this); }
+  std::optional<Expr> origin() const { return child<Expr>(*this); }
+};
+
+struct Wear : ViewOf<Kind::Wear> {
+  std::optional<Chain> chain() const { return child<Chain>(*this); }
+  std::optional<Expr> line() const { return after<Expr>(*this, Kind::KwAt); }
+  std::vector<WearOption> options() const { return all<WearOption>(*this); }
+};
+
+// ------------------------------------------------------------------------------------------------------- commands
+
+/// drape skirt on form as worn to 1e-6
+struct Drape : ViewOf<Kind::Drape> {
+  std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDrape); }
+  std::optional<Expr> body() const { return after<Expr>(*this, Kind::KwOn); }
+  std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
+  std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }
+};
+
+/// word() is KwFrom with names() of one view, KwShowing with the dotted names() of a field, or KwPixels with sizes().
+struct RenderOption : ViewOf<Kind::RenderOption> {
+  std::optional<Token> word() const { return child<Token>(*this); }
+  std::vector<Token> names() const;
+  std::vector<Expr> sizes() const { return all<Expr>(*this); }
+};
+
+struct Render : ViewOf<Kind::Render> {
+  std::optional<Expr> subject() const { return after<Expr>(*this, Kind::KwRender); }
+  std::optional<Expr> path() const { return after<Expr>(*this, Kind::KwTo); }
+  std::vector<RenderOption> options() const { return all<RenderOption>(*this); }
+};
+
+struct Export : ViewOf<Kind::Export> {
+  std::optional<Expr> subject() const { return after<Expr>(*this, Kind::KwExport); }
+  std::optional<Expr> path() const { return after<Expr>(*this, Kind::KwTo); }
+};
+
+struct Print : ViewOf<Kind::Print> {
+  std::vector<Expr> values() const { return all<Expr>(*this); }
+};
+
+struct Expect : ViewOf<Kind::Expect> {
+  std::optional<Expr> condition() const { return child<Expr>(*this); }
+};
+
+}  // namespace toile::syntax

@@ -1,0 +1,209 @@
+// The grammar of statements; docs/grammar.md is its plain text. Seen by parse.cpp, the only file that instantiates it,
+// and by the test that analyses it.
+#pragma once
+
+#include "grammar/expression_rules.hpp"
+
+namespace toile::syntax::rules {
+
+struct assign : pegtl::seq<sign<Kind::Assign>, more> {};
+
+/// Before an item that may begin with any word: not at a statement of the blocks around, such as `sew a.b to c.d` where
+/// the brace of an outline was forgotten.
+template <StatementWords Words>
+struct not_outside {
+  using rule_t = not_outside;
+  using subs_t = pegtl::empty_list;
+  static bool match(Reader& in) {
+    const auto keyword = statement_at(in.text(), in.offset());
+    if (!keyword || (in.record.enclosing & Words & statement_word(*keyword)) == 0) return true;
+    in.record.expect(Kind::Name, in.offset());
+    return false;
+  }
+};
+using not_outside_edges = not_outside<~StatementWords{0}>;
+/// Rows and properties may be called `label`, `fold`, `print`, so fewer words count.
+using not_outside_rows = not_outside<statement_words(Kind::KwImport, Kind::KwGarment, Kind::KwFabric, Kind::KwPiece,
+                                                     Kind::KwSew, Kind::KwWear, Kind::KwDrape, Kind::KwRender,
+                                                     Kind::KwExport, Kind::KwExpect, Kind::KwOutline)>;
+
+// ------------------------------------------------------------------------------------------------ definitions
+
+struct import
+    : line<Kind::Import, word<Kind::KwImport>, pegtl::sor<any_name, text>, pegtl::opt<word<Kind::KwAs>, any_name>> {};
+
+struct range : node<Kind::Range, word<Kind::KwIn>, expression, sign<Kind::DotDot>, expression> {};
+struct param : line<Kind::Param, word<Kind::KwParam>, value_name, assign, expression, pegtl::opt<range>> {};
+struct let : line<Kind::Let, word<Kind::KwLet>, value_name, assign, expression> {};
+
+struct parameter : node<Kind::Parameter, value_name, pegtl::opt<assign, expression>> {};
+struct parameters
+    : node<Kind::Parameters, bracketed<Kind::LeftParen, Kind::RightParen,
+                                       pegtl::opt<parameter, pegtl::star<comma, parameter>, pegtl::opt<comma>>>> {};
+
+/// The value of a function's block is its last line.
+struct at_closing_brace {
+  using rule_t = at_closing_brace;
+  using subs_t = pegtl::empty_list;
+  static bool match(Reader& in) {
+    const std::uint32_t at = skip_lines(in.text(), in.offset());
+    const bool closing = at == in.text().size() || in.text()[at] == '}';
+    if (!closing) in.record.expect(Kind::RightBrace, at);
+    return closing;
+  }
+};
+struct fn_block
+    : block<statement_words(Kind::KwLet), pegtl::sor<let, pegtl::seq<expression, at_end<>, at_closing_brace>>> {};
+struct fn : statement<Kind::Fn, word<Kind::KwFn>, to_block<fn_block>, value_name, parameters,
+                      pegtl::sor<pegtl::seq<assign, expression>, fn_block>, at_end<>> {};
+
+// ----------------------------------------------------------------------------------------------------- cloths
+
+struct row_name : token<Kind::Name, pegtl::star<pegtl::digit>, pegtl::identifier> {};
+struct row : line<Kind::Row, pegtl::seq<not_outside_rows, row_name>, expression, pegtl::star<comma, expression>> {};
+struct rows : block<0, row> {};
+struct fabric : statement<Kind::Fabric, word<Kind::KwFabric>, to_block<rows>, any_name,
+                          pegtl::opt<assign, expression, word<Kind::KwWith>>, rows, at_end<>> {};
+struct textile : statement<Kind::Textile, word<Kind::KwTextile>, to_block<rows>, any_name, rows, at_end<>> {};
+
+// ----------------------------------------------------------------------------------------------------- bodies
+
+struct property : statement<Kind::Property, pegtl::seq<not_outside_rows, any_name>, to_comma, expression, at_end<','>> {
+};
+struct properties : items_in_braces<Kind::Properties, 0, ',', property> {};
+
+template <Kind Next>
+struct name_before : pegtl::seq<pegtl::not_at<word<Next>>, any_name> {};
+
+struct part_role : pegtl::sor<word<Kind::KwSection>, word<Kind::KwLimb>, word<Kind::KwLine>, any_name> {};
+struct body_part
+    : statement<Kind::BodyPart, pegtl::seq<not_outside_rows, part_role>, to_block<properties>,
+                pegtl::opt<name_before<Kind::KwAt>>, pegtl::opt<word<Kind::KwAt>, expression>, properties, at_end<>> {};
+struct body_block : block<statement_words(Kind::KwLet), pegtl::sor<let, body_part>> {};
+struct body : statement<Kind::Body, word<Kind::KwBody>, to_block<body_block>, any_name,
+                        pegtl::sor<pegtl::seq<assign, expression, pegtl::opt<word<Kind::KwWith>, body_block>>,
+                                   pegtl::seq<pegtl::opt<parameters>, body_block>>,
+                        at_end<>> {};
+
+// ----------------------------------------------------------------------------------------------------- pieces
+
+/// `start` closes the outline; a value of that name can still be called or asked for its fields.
+struct start : pegtl::seq<word<Kind::KwStart>, pegtl::not_at<pegtl::one<'.', '(', '['>>> {};
+/// `leaving 0deg` where the target was forgotten; a value of that name has no other value behind it.
+struct clause_word : pegtl::sor<spelled<Kind::KwLeaving>, spelled<Kind::KwArriving>, spelled<Kind::KwThrough>,
+                                spelled<Kind::KwRadius>, spelled<Kind::KwVia>> {};
+struct clause : pegtl::seq<clause_word, pegtl::plus<pegtl::blank>, pegtl::not_at<clause_word>,
+                           pegtl::sor<pegtl::digit, pegtl::seq<unreserved, pegtl::identifier>>> {};
+struct target : called<Kind::NameRef, pegtl::seq<pegtl::not_at<clause>, pegtl::sor<start, expression>>> {};
+template <Kind K>
+struct walk_to : pegtl::seq<word<K>, word<Kind::KwTo>, target> {};
+template <Kind K>
+struct with_value : pegtl::seq<word<K>, expression> {};
+
+struct line_walk : node<Kind::LineWalk, walk_to<Kind::KwLine>> {};
+struct curve_walk : node<Kind::CurveWalk, walk_to<Kind::KwCurve>,
+                         pegtl::star<pegtl::sor<with_value<Kind::KwLeaving>, with_value<Kind::KwArriving>>>> {};
+struct arc_walk : node<Kind::ArcWalk, walk_to<Kind::KwArc>,
+                       pegtl::sor<with_value<Kind::KwThrough>,
+                                  pegtl::seq<with_value<Kind::KwRadius>, pegtl::opt<word<Kind::KwLarge>>>>> {};
+struct bezier_walk : node<Kind::BezierWalk, walk_to<Kind::KwBezier>, with_value<Kind::KwVia>, comma, expression> {};
+struct circle_walk : node<Kind::CircleWalk, word<Kind::KwCircle>, with_value<Kind::KwAbout>> {};
+struct along_walk : node<Kind::AlongWalk, with_value<Kind::KwAlong>> {};
+struct walk : pegtl::sor<line_walk, curve_walk, arc_walk, bezier_walk, circle_walk, along_walk> {};
+struct edge : line<Kind::Edge, pegtl::seq<not_outside_edges, any_name>, assign, walk> {};
+
+struct edges : block<0, edge> {};
+struct outline : statement<Kind::Outline, word<Kind::KwOutline>, to_block<edges>, pegtl::opt<with_value<Kind::KwFrom>>,
+                           edges, at_end<>> {};
+struct hole : statement<Kind::Hole, word<Kind::KwHole>, to_block<edges>, pegtl::opt<name_before<Kind::KwFrom>>,
+                        with_value<Kind::KwFrom>, edges, at_end<>> {};
+
+struct position : node<Kind::Position, expression, word<Kind::KwOf>, any_name> {};
+struct fold : line<Kind::Fold, word<Kind::KwFold>, any_name> {};
+struct cut : line<Kind::Cut, word<Kind::KwCut>, expression, pegtl::opt<word<Kind::KwMirrored>>> {};
+struct grain_word
+    : pegtl::sor<word<Kind::KwDown>, word<Kind::KwUp>, word<Kind::KwLeft>, word<Kind::KwRight>, word<Kind::KwBias>> {};
+struct grain : line<Kind::Grain, word<Kind::KwGrain>, pegtl::sor<pegtl::seq<grain_word, at_end<>>, expression>> {};
+struct dart : statement<Kind::Dart, word<Kind::KwDart>, to_block<properties>, pegtl::opt<name_before<Kind::KwAt>>,
+                        word<Kind::KwAt>, position, properties, at_end<>> {};
+struct notch : line<Kind::Notch, word<Kind::KwNotch>, word<Kind::KwAt>, position> {};
+struct edge_allowance : node<Kind::EdgeAllowance, any_name, expression> {};
+struct allowance : line<Kind::Allowance, word<Kind::KwAllowance>, expression, pegtl::star<comma, edge_allowance>> {};
+struct label : line<Kind::Label, word<Kind::KwLabel>, expression> {};
+
+/// "And the rest as before": what a varied piece does not mention it has from its model, said or unsaid.
+struct and_so_on : sign<Kind::Ellipsis> {};
+struct piece_item : pegtl::sor<and_so_on, outline, let, fold, dart, notch, grain, allowance, cut, label, hole> {};
+struct piece_block : block<piece_words, piece_item> {};
+struct piece : statement<Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
+                         pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block, at_end<>> {};
+
+// --------------------------------------------------------------------------------------------------- garments
+
+struct edge_ref : called<Kind::EdgeRef, node<Kind::EdgeRef, any_name, pegtl::plus<sign<Kind::Dot>, any_name>>> {};
+struct chain : node<Kind::Chain, edge_ref, pegtl::star<sign<Kind::Plus>, more, edge_ref>> {};
+
+struct difference : pegtl::sor<word<Kind::KwEase>, word<Kind::KwGather>, word<Kind::KwStretch>> {};
+struct sew_word : pegtl::sor<word<Kind::KwReversed>, difference> {};
+struct sew_option
+    : node<Kind::SewOption, pegtl::sor<word<Kind::KwReversed>,
+                                       pegtl::seq<difference, pegtl::opt<pegtl::not_at<sew_word>, expression>>>> {};
+struct sew : line<Kind::Sew, word<Kind::KwSew>, chain, word<Kind::KwTo>, chain, pegtl::star<sew_option>> {};
+
+struct wear_option
+    : node<Kind::WearOption, pegtl::sor<word<Kind::KwHeld>, word<Kind::KwPlaced>, with_value<Kind::KwFrom>>> {};
+struct wear : line<Kind::Wear, word<Kind::KwWear>, chain, word<Kind::KwAt>, expression, pegtl::star<wear_option>> {};
+
+struct garment_item : pegtl::sor<let, piece, sew, wear, param, fn> {};
+struct garment_block : block<garment_words, garment_item> {};
+struct garment
+    : statement<Kind::Garment, word<Kind::KwGarment>, to_block<garment_block>, any_name, pegtl::opt<parameters>,
+                pegtl::opt<with_value<Kind::KwIn>>, pegtl::opt<with_value<Kind::KwPrinted>>, garment_block, at_end<>> {
+};
+
+// --------------------------------------------------------------------------------------------------- commands
+
+struct drape : line<Kind::Drape, word<Kind::KwDrape>, expression, pegtl::opt<with_value<Kind::KwOn>>,
+                    pegtl::opt<word<Kind::KwAs>, any_name>, pegtl::opt<with_value<Kind::KwTo>>> {};
+struct render_option
+    : node<Kind::RenderOption,
+           pegtl::sor<pegtl::seq<word<Kind::KwFrom>, any_name>,
+                      pegtl::seq<word<Kind::KwShowing>, any_name, pegtl::star<sign<Kind::Dot>, any_name>>,
+                      pegtl::seq<with_value<Kind::KwPixels>, comma, expression>>> {};
+struct render
+    : line<Kind::Render, word<Kind::KwRender>, expression, word<Kind::KwTo>, expression, pegtl::star<render_option>> {};
+struct export_ : line<Kind::Export, word<Kind::KwExport>, expression, word<Kind::KwTo>, expression> {};
+struct print : line<Kind::Print, word<Kind::KwPrint>, expression, pegtl::star<comma, expression>> {};
+struct expect : line<Kind::Expect, word<Kind::KwExpect>, expression> {};
+
+struct file_item
+    : pegtl::sor<let, param, fn, import, garment, fabric, textile, body, drape, render, export_, print, expect> {};
+
+/// Statements to the end of the text. Always succeeds.
+struct file {
+  using rule_t = file;
+  using subs_t = pegtl::type_list<pegtl::star<file_item>>;
+  static bool match(Reader& in) {
+    in.record.enclosing = file_words;
+    Items<file_item, '\n'>(in, Record::nowhere).read();
+    return true;
+  }
+};
+
+/// One expression, and nothing else but white space around it. Always succeeds.
+struct lone_expression {
+  using rule_t = lone_expression;
+  using subs_t = pegtl::type_list<expression>;
+  static bool match(Reader& in) {
+    in.go_to(skip_lines(in.text(), in.offset()));
+    const bool read = run<expression>(in);
+    const std::uint32_t rest = skip_lines(in.text(), in.offset());
+    if (read && rest == in.text().size()) return true;
+    if (read) in.record.expect(Kind::Newline, rest);
+    (void)in.record.report_failure(rest);
+    if (rest < in.text().size()) in.record.token(Kind::Error, {rest, static_cast<std::uint32_t>(in.text().size())});
+    return true;
+  }
+};
+
+}  // namespace toile::syntax::rules

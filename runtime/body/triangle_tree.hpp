@@ -1,0 +1,57 @@
+// A bounding volume hierarchy over the triangles of a surface, for nearest points.
+#pragma once
+
+#include <array>
+#include <cstdint>
+#include <limits>
+#include <vector>
+
+#include "runtime/body/body.hpp"
+#include "runtime/body/closest_point.hpp"
+
+namespace toile {
+
+struct BoundingBox {
+  Vec3 low{1e300, 1e300, 1e300};
+  Vec3 high{-1e300, -1e300, -1e300};
+  void include(Vec3 p);
+  void include(const BoundingBox& other);
+  double half_area() const;
+  double squared_distance(Vec3 p) const;
+};
+
+/// Four children a node, tested together in single precision: boxes are widened so that rounding never hides a
+/// triangle. Distances themselves are in double precision.
+class TriangleTree {
+ public:
+  explicit TriangleTree(const Body::Surface& surface);
+
+  struct Hit {
+    int triangle = -1;  // none within the bound
+    double squared = std::numeric_limits<double>::infinity();
+    ClosestOnTriangle where;
+  };
+  /// The nearest point no farther than `bound` [m]. Of triangles equally near the first counts, so the answer depends
+  /// neither on the bound nor on the tree.
+  Hit nearest(Vec3 p, double bound) const;
+  const BoundingBox& bounds() const { return bounds_; }
+
+  static constexpr int width = 4;
+  struct Node {
+    // [x, y, z][child]
+    std::array<std::array<float, width>, 3> low, high;
+    std::array<std::int32_t, width> child;  // a node, or the first triangle of a leaf
+    std::array<std::int32_t, width> count;  // of a leaf's triangles; 0 for a node; -1 for none
+  };
+
+ private:
+  struct Corners {
+    Vec3 a, b, c;
+  };
+  BoundingBox bounds_;
+  std::vector<Node> nodes_;
+  std::vector<Corners> corners_;  // in the order of the leaves
+  std::vector<int> triangle_of_;
+};
+
+}  // namespace toile

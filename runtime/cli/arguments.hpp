@@ -1,0 +1,48 @@
+// The command line as plain data. CLI11 is seen by arguments.cpp alone.
+#pragma once
+
+#include <optional>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "compiler/evaluate/program.hpp"
+#include "runtime/drape/drape.hpp"
+
+namespace toile {
+
+enum class Task { Run, Check, Compile, Draft, Drape, Render, Test };
+enum class MessageFormat { Human, Json };
+enum class WhenColour { Auto, Always, Never };
+
+struct Arguments {
+  Task task = Task::Run;
+  std::vector<std::string> files;  // scripts; for `test`, at most one path
+
+  // common
+  MessageFormat messages = MessageFormat::Human;
+  WhenColour colour = WhenColour::Auto;
+  int threads = 0;  // 0: as many as there are
+  bool quiet = false;
+  bool progress = false;
+
+  // of scripts
+  std::vector<Setting> settings;
+  std::string out;  // `run`
+  int triangles = 2500;
+  std::string garment, body, fabric;
+  std::optional<double> accuracy;
+  DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
+  std::string stage;                 // `compile`
+  std::vector<std::string> outputs;  // -o
+  std::string report, profile;
+  std::string view, field;  // `render`
+  int width = 800, height = 800;
+  bool update = false;  // `test`
+};
+
+/// The arguments, or the exit code of a call that ends here: 0 after --help or --version, 2 after wrong usage, which
+/// has then been said on standard error.
+std::variant<Arguments, int> read_arguments(int argc, const char* const* argv);
+
+}  // namespace toile

@@ -1,0 +1,105 @@
+// The `toile` command: arguments in, one call of the driver, an exit code out.
+#include <fmt/format.h>
+
+#include <cstdio>
+#include <exception>
+
+#include "runtime/cli/arguments.hpp"
+#include "runtime/cli/console.hpp"
+#include "runtime/cli/interrupt.hpp"
+#include "runtime/cli/threads.hpp"
+#include "runtime/driver/golden.hpp"
+#include "runtime/driver/run.hpp"
+
+namespace toile {
+namespace {
+
+WorkroomOptions workroom_options(const Arguments& arguments) {
+  WorkroomOptions options;
+  options.settings = arguments.settings;
+  options.out = arguments.out;
+  options.triangles = arguments.triangles;
+  options.accuracy = arguments.accuracy;
+  options.solver = arguments.solver;
+  options.threads = arguments.threads;
+  if (!arguments.fabric.empty()) options.fabric = arguments.fabric;
+  return options;
+}
+
+DrapeRequest drape_request(const Arguments& arguments) {
+  return {arguments.garment, arguments.body, {arguments.outputs.begin(), arguments.outputs.end()}, arguments.report};
+}
+
+void compile(Workroom& workroom, const Arguments& arguments) {
+  const std::optional<std::string> text = emit_stage(workroom, *stage_named(arguments.stage), arguments.garment);
+  if (!text) return;
+  if (arguments.outputs.empty()) {
+    fmt::print("{}", *text);
+  } else {
+    workroom.write(arguments.outputs.front(), *text);
+  }
+}
+
+void carry_out(Workroom& workroom, const Arguments& arguments) {
+  switch (arguments.task) {
+    case Task::Run:
+      return run_commands(workroom);
+    case Task::Check:
+      return check_meshes(workroom);
+    case Task::Compile:
+      return compile(workroom, arguments);
+    case Task::Draft:
+      return draft(workroom, arguments.garment, arguments.outputs.front());
+    case Task::Drape:
+      return drape_once(workroom, drape_request(arguments));
+    case Task::Render: {
+      DrapeRequest drape = drape_request(arguments);
+      drape.files.clear();
+      return render_once(workroom, {std::move(drape), arguments.outputs.front(), arguments.view, arguments.field,
+                                    arguments.width, arguments.height});
+    }
+    case Task::Test:
+      break;  // has no workroom of its own
+  }
+}
+
+/// Several scripts (`check`) are gone through one by one; the gravest outcome counts.
+Outcome work_through(const Arguments& arguments, Console& console, const Job& job) {
+  Outcome all;
+  for (const std::string& file : arguments.files) {
+    Workroom workroom(workroom_options(arguments), console, job);
+    const bool loaded = workroom.load(std::filesystem::path(file));
+    // The tree is lossless and stands for a faulty text too.
+    const bool shows_tree = arguments.task == Task::Compile && arguments.stage == "ast" && !workroom.text().empty();
+    if (loaded || shows_tree) carry_out(workroom, arguments);
+    if (!arguments.profile.empty()) workroom.write(arguments.profile, profile_json(workroom.profile()));
+    all.add(workroom.outcome());
+  }
+  return all;
+}
+
+int toile_main(int argc, const char* const* argv) {
+  const std::variant<Arguments, int> read = read_arguments(argc, argv);
+  if (const int* code = std::get_if<int>(&read)) return *code;
+  const Arguments& arguments = std::get<Arguments>(read);
+  const ThreadLimit limit(arguments.threads);
+  Console console(arguments);
+  Job job;
+  job.cancelled = &watch_for_interrupt();
+  if (console.shows_progress()) job.report = [&console](const Progress& progress) { console.progressed(progress); };
+  if (arguments.task != Task::Test) return work_through(arguments, console, job).exit_code();
+  return test_scripts(arguments.files.empty() ? "." : arguments.files.front(), arguments.update, console, job)
+      .exit_code();
+}
+
+}  // namespace
+}  // namespace toile
+
+int main(int argc, char** argv) {
+  try {
+    return toile::toile_main(argc, argv);
+  } catch (const std::exception& error) {
+    fmt::print(stderr, "error: {}\n", error.what());
+    return 4;  // out of memory, a file system that fails: nothing of the script's
+  }
+}

@@ -1,0 +1,18 @@
+#include "runtime/cli/threads.hpp"
+
+#include <tbb/global_control.h>
+
+namespace toile {
+
+struct ThreadLimit::Control {
+  tbb::global_control parallelism;
+};
+
+ThreadLimit::ThreadLimit(int threads) {
+  if (threads <= 0) return;
+  control_.reset(new Control{{tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)}});
+}
+
+ThreadLimit::~ThreadLimit() = default;
+
+}  // namespace toile

@@ -1,0 +1,80 @@
+// Contact of the cloth with a body: E_p = integral of k d^2 / 2 over the cloth inside (paper, section 4), so that the
+// pressure is k d whatever the mesh; and Coulomb friction that sticks: a tangential spring to an anchor, slipping at
+// the cone.
+#pragma once
+
+#include <vector>
+
+#include "runtime/body/body.hpp"
+#include "runtime/mesh/cloth.hpp"
+#include "runtime/solve/form.hpp"
+
+namespace toile {
+
+/// A place of the cloth at which contact is measured: a vertex, or the middle of an edge (so that no body bulges
+/// through between vertices). Together they integrate quadratics over every triangle.
+struct ContactPoint {
+  int first = 0, second = 0;  // the same for a vertex
+  double area = 0;            // [m2]
+};
+
+struct ContactForces {
+  Vector3 normal = Vector3::Zero(), friction = Vector3::Zero();  // sums on the cloth [N]
+  double normal_energy = 0, friction_energy = 0;                 // [J]
+  double area = 0;                                               // [m2] in contact
+  double max_depth = 0;                                          // [m]
+};
+
+class BodyContact : public Form {
+ public:
+  /// `gap` [m]: half the cloth's thickness, the distance at which its middle surface touches.
+  BodyContact(const Cloth& cloth, const Body& body, double gap, double friction);
+
+  /// Pressure per depth [N/m3].
+  void set_stiffness(double stiffness) { stiffness_ = stiffness; }
+  double energy(const Vector& q, Vector* gradient) const override;
+  void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
+  void accept(const Vector& q) override;
+
+  ContactForces forces(const Vector& q) const;
+  /// Per vertex [Pa].
+  std::vector<double> pressures(const Vector& q) const;
+
+ private:
+  struct Touch {
+    bool in = false;
+    Vector3 normal = Vector3::Zero();
+    double depth = 0;  // [m]
+  };
+  /// What of friction lasts from one step of the solver to the next.
+  struct Grip {
+    bool holds = false;
+    Vector3 anchor = Vector3::Zero();
+    Vector3 normal = Vector3::Zero();
+    double limit = 0;  // [N] coefficient times normal force
+  };
+  /// Where a point was when it was last measured, and how far it may move before it can touch.
+  struct Clearance {
+    Vector3 at = Vector3::Zero();
+    double free = -1;
+  };
+
+  const std::vector<Touch>& touches(const Vector& q) const;
+  Vector3 place(const ContactPoint& point, const Vector& q) const;
+  Vector3 slip(const Grip& grip, const Vector3& at) const;
+  void add_block(const ContactPoint& point, const Matrix3& block, SparseMatrix& matrix) const;
+
+  const Body& body_;
+  int vertices_ = 0;
+  double gap_ = 0;
+  double friction_ = 0;
+  double stiffness_ = 1e6;
+  std::vector<ContactPoint> points_;
+  std::vector<Grip> grips_;
+  // Nearest points of the latest q: energy, gradient and Hessian are asked for at the same place.
+  mutable Vector measured_at_;
+  mutable std::vector<Touch> touches_;
+  mutable std::vector<Clearance> clearance_;
+};
+
+}  // namespace toile

@@ -1,0 +1,77 @@
+#include "runtime/drape/levels.hpp"
+
+#include <algorithm>
+#include <chrono>
+
+#include "runtime/drape/carry_over.hpp"
+
+namespace toile {
+namespace {
+
+constexpr double coarse_accuracy = 1e-2;  // of every level but the last
+constexpr int coarsest_triangles = 450;
+constexpr int ratio = 4;  // of the triangles of neighbouring levels
+
+std::vector<Worn> worn_lines(const SewnMesh& mesh, const std::vector<Wear>& wears) {
+  std::vector<Worn> worn;
+  for (const SMesh::WornLine& line : mesh.s.worn) {
+    const Wear& wear = wears[static_cast<std::size_t>(line.wear)];
+    worn.push_back({&line, wear.line, wear.held, wear.from});
+  }
+  return worn;
+}
+
+double seconds() {
+  return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+}  // namespace
+
+std::vector<int> level_sizes(int triangles) {
+  std::vector<int> sizes{triangles};
+  while (sizes.back() > 2 * coarsest_triangles) sizes.push_back(std::max(sizes.back() / ratio, coarsest_triangles));
+  std::reverse(sizes.begin(), sizes.end());
+  return sizes;
+}
+
+DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
+                          const FabricSheet& fabric, const Body* body, const DrapeOptions& options, const Job& job) {
+  DrapedLevels result;
+  int iterations = 0, factorisations = 0;
+  for (std::size_t level = 0; level < levels.size(); ++level) {
+    const DrapeLevel& at = levels[level];
+    const double started = seconds();
+    Placed placed = place(*at.mesh, *at.cloth, worn_lines(*at.mesh, wears), body);
+    result.error = placed.error;
+    if (!result.error.empty()) return result;
+    DrapeOptions own = options;
+    own.carried_over = level > 0;
+    if (level > 0) {
+      // Held vertices stay where they were placed.
+      std::vector<Vec3> carried = carry_over(*levels[level - 1].mesh, result.drape.positions, *at.mesh);
+      for (const int held : placed.held) {
+        carried[static_cast<std::size_t>(held)] = placed.positions[static_cast<std::size_t>(held)];
+      }
+      placed.positions = std::move(carried);
+    }
+    if (level + 1 < levels.size()) own.accuracy = std::max(options.accuracy, coarse_accuracy);
+    const double ready = seconds();
+    result.drape = drape(*at.cloth, fabric, body, placed, own, job);
+    result.place_seconds += ready - started;
+    result.solve_seconds += seconds() - ready;
+    iterations += result.drape.iterations;
+    factorisations += result.drape.factorisations;
+    if (result.drape.cancelled && level + 1 < levels.size()) {
+      // A usable partial result: the form so far on the mesh that was asked for.
+      const DrapeLevel& last = levels.back();
+      const Placed start{carry_over(*at.mesh, result.drape.positions, *last.mesh), {}, {}};
+      result.drape = drape(*last.cloth, fabric, body, start, own, job);
+      break;
+    }
+  }
+  result.drape.iterations = iterations;
+  result.drape.factorisations = factorisations;
+  return result;
+}
+
+}  // namespace toile

@@ -1,0 +1,30 @@
+// Draping coarse to fine: the first fall on few triangles, the equilibrium on all of them.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "runtime/drape/drape.hpp"
+
+namespace toile {
+
+struct DrapeLevel {
+  const SewnMesh* mesh = nullptr;
+  const Cloth* cloth = nullptr;
+};
+
+struct DrapedLevels {
+  Drape drape;        // of the finest level; `iterations` and `factorisations` count all levels
+  std::string error;  // of placing: what could not be worn where; the drape is then empty
+  double place_seconds = 0, solve_seconds = 0;
+};
+
+/// Places the coarsest mesh, drapes it, carries the form over to the next finer mesh, and so on. `levels`: at least
+/// one, coarse first.
+DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
+                          const FabricSheet& fabric, const Body* body, const DrapeOptions& options, const Job& job);
+
+/// How many triangles to mesh a garment with, coarse first, so that the last has about `triangles`.
+std::vector<int> level_sizes(int triangles);
+
+}  // namespace toile

@@ -1,0 +1,31 @@
+// What a workroom makes of a garment: its meshes, and each of its drapes.
+#pragma once
+
+#include <memory>
+
+#include "compiler/pattern/pattern.hpp"
+#include "compiler/smesh/smesh.hpp"
+#include "runtime/body/body.hpp"
+#include "runtime/drape/drape.hpp"
+#include "runtime/export/export.hpp"
+#include "runtime/mesh/cloth.hpp"
+
+namespace toile {
+
+/// A garment sewn up, ready to be draped any number of times.
+struct MadeGarment {
+  Garment garment;
+  SewnMesh mesh;
+  Cloth cloth;
+};
+
+/// A drape with all that pictures, files and reports need of it.
+struct Draped {
+  std::shared_ptr<const MadeGarment> made;
+  std::shared_ptr<const Body> body;  // null where the cloth floats
+  Drape drape;
+
+  DrapedGarment view() const { return {&made->garment, &made->mesh, &made->cloth, &drape}; }
+};
+
+}  // namespace toile

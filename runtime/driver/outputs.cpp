@@ -1,0 +1,110 @@
+#include "runtime/driver/outputs.hpp"
+
+#include <array>
+#include <utility>
+
+#include "runtime/report/report.hpp"
+
+namespace toile {
+namespace {
+
+bool ends_with(const std::filesystem::path& path, std::string_view ending) {
+  const std::string name = path.filename().string();
+  return name.size() > ending.size() && std::string_view(name).substr(name.size() - ending.size()) == ending;
+}
+
+using DrapeWriter = std::string (*)(const Draped&, const std::string& script);
+/// The first ending that fits counts: the report before plain JSON.
+constexpr std::array<std::pair<std::string_view, DrapeWriter>, 5> drape_writers{{
+    {".obj", [](const Draped& d, const std::string&) { return obj(d.view()); }},
+    {".ply", [](const Draped& d, const std::string&) { return ply(d.view()); }},
+    {".glb", [](const Draped& d, const std::string&) { return glb(d.view()); }},
+    {".report.json", [](const Draped& d, const std::string& script) { return report_json(script, d.view()); }},
+    {".json", [](const Draped& d, const std::string&) { return mesh_json(d.made->garment, d.made->mesh); }},
+}};
+
+using PatternWriter = std::string (*)(const Garment&);
+constexpr std::array<std::pair<std::string_view, PatternWriter>, 2> pattern_writers{{
+    {".svg", pattern_svg},
+    {".json", pattern_json},
+}};
+
+template <class Writers>
+auto writer_for(const Writers& writers, const std::filesystem::path& path) -> decltype(writers.front().second) {
+  for (const auto& [ending, writer] : writers) {
+    if (ends_with(path, ending)) return writer;
+  }
+  return nullptr;
+}
+
+template <class Writers>
+std::string listed(const Writers& writers) {
+  std::string text;
+  for (const auto& [ending, writer] : writers) {
+    if (!text.empty()) text += ", ";
+    text += ending;
+  }
+  return text;
+}
+
+constexpr std::array<std::pair<const char*, View>, 6> views{{{"front", View::Front},
+                                                             {"back", View::Back},
+                                                             {"left", View::Left},
+                                                             {"right", View::Right},
+                                                             {"above", View::Above},
+                                                             {"three_quarter", View::ThreeQuarter}}};
+
+}  // namespace
+
+std::optional<std::string> drape_file(const std::filesystem::path& path, const Draped& draped,
+                                      const std::string& script) {
+  const DrapeWriter writer = writer_for(drape_writers, path);
+  return writer == nullptr ? std::nullopt : std::optional(writer(draped, script));
+}
+
+std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment) {
+  const PatternWriter writer = writer_for(pattern_writers, path);
+  return writer == nullptr ? std::nullopt : std::optional(writer(garment));
+}
+
+std::string drape_endings() {
+  return listed(drape_writers);
+}
+std::string pattern_endings() {
+  return listed(pattern_writers);
+}
+bool is_drape_file(const std::filesystem::path& path) {
+  return writer_for(drape_writers, path) != nullptr;
+}
+bool is_pattern_file(const std::filesystem::path& path) {
+  return writer_for(pattern_writers, path) != nullptr;
+}
+
+std::optional<View> view_named(const std::string& name) {
+  if (name.empty()) return View::ThreeQuarter;
+  for (const auto& [known, view] : views) {
+    if (name == known) return view;
+  }
+  return std::nullopt;
+}
+
+const std::vector<std::string>& view_names() {
+  static const std::vector<std::string> names = [] {
+    std::vector<std::string> list;
+    for (const auto& [name, view] : views) list.emplace_back(name);
+    return list;
+  }();
+  return names;
+}
+
+std::string picture(const Draped& draped, const PictureRequest& request) {
+  DressedCloth dressed{&draped.made->cloth, &draped.drape.positions, draped.made->garment.textile, std::nullopt};
+  if (!request.field.empty()) dressed.shown = field(request.field, draped.made->cloth, draped.drape);
+  RenderOptions options;
+  options.width = request.width;
+  options.height = request.height;
+  options.view = request.view;
+  return png(render({dressed}, draped.body.get(), options));
+}
+
+}  // namespace toile

@@ -1,0 +1,11 @@
+// A drape's summary as the plain record that a script's later lines read: the names of result_schema(), SI.
+#pragma once
+
+#include "compiler/evaluate/program.hpp"
+#include "runtime/driver/draped.hpp"
+
+namespace toile {
+
+Result result_of(const Draped& draped);
+
+}  // namespace toile

@@ -1,0 +1,44 @@
+// The stages of the compiler shown as text, and the check that stops before anything is solved.
+#include <fmt/format.h>
+
+#include <array>
+
+#include "runtime/driver/choice.hpp"
+#include "runtime/driver/run.hpp"
+
+namespace toile {
+
+std::optional<Stage> stage_named(const std::string& name) {
+  constexpr std::array<std::pair<const char*, Stage>, 4> stages{
+      {{"ast", Stage::Ast}, {"pattern", Stage::Pattern}, {"pmesh", Stage::PMesh}, {"smesh", Stage::SMesh}}};
+  for (const auto& [known, stage] : stages) {
+    if (name == known) return stage;
+  }
+  return std::nullopt;
+}
+
+std::optional<std::string> emit_stage(Workroom& workroom, Stage stage, const std::string& garment) {
+  if (stage == Stage::Ast) return emit_ast(workroom.script(), workroom.text());
+  if (stage == Stage::Pattern) return emit_pattern(workroom.program());
+  const std::optional<int> chosen = choose_garment(workroom, garment);
+  if (!chosen) return std::nullopt;
+  const std::shared_ptr<const MadeGarment> made = workroom.make(*chosen);
+  if (!made) return std::nullopt;
+  return stage == Stage::PMesh ? emit(made->mesh.p, made->garment) : emit(made->mesh.s, made->garment);
+}
+
+void check_meshes(Workroom& workroom) {
+  const int garments = static_cast<int>(workroom.program().garments().size());
+  for (int garment = 0; garment < garments; ++garment) {
+    const std::shared_ptr<const MadeGarment> made = workroom.make(garment);
+    if (!made) return;
+    const Topology& topology = made->mesh.s.topology;
+    workroom.listener().noted(
+        fmt::format("{}: {} pieces, {} seams; sewn: components {}, boundary loops {}, Euler characteristic {}, {}{}",
+                    made->garment.name, made->garment.pieces.size(), made->garment.seams.size(), topology.components,
+                    topology.boundary_loops, topology.euler, topology.orientable ? "orientable" : "not orientable",
+                    topology.manifold ? "" : ", not a manifold"));
+  }
+}
+
+}  // namespace toile

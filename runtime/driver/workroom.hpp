@@ -1,0 +1,93 @@
+// A script being worked through: the one place that sees the compiler and the runtime. It loads the script, makes its
+// garments, drapes them, writes files, and remembers how all of that went.
+#pragma once
+
+#include <filesystem>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "compiler/evaluate/program.hpp"
+#include "runtime/driver/draped.hpp"
+#include "runtime/driver/listener.hpp"
+#include "runtime/driver/outcome.hpp"
+#include "runtime/driver/world.hpp"
+#include "runtime/report/report.hpp"
+#include "runtime/solve/job.hpp"
+
+namespace toile {
+
+struct WorkroomOptions {
+  std::vector<Setting> settings;
+  std::filesystem::path out;          // folder of the script's outputs; empty: beside the script
+  int triangles = 2500;               // of a garment, about
+  std::optional<double> accuracy;     // overrides the script's
+  std::optional<std::string> fabric;  // a Toile expression that replaces the garment's cloth
+  DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
+  int threads = 0;  // 0: as many as there are
+};
+
+class Workroom {
+ public:
+  Workroom(WorkroomOptions options, Listener& listener, Job job);
+
+  /// Reads and compiles. False when that failed; the listener then knows why and so does the outcome.
+  bool load(const std::filesystem::path& script);
+  /// The same for a text at hand: `name` is how diagnostics call it, a path seen from `base`.
+  bool load(const std::string& name, std::string text, const std::filesystem::path& base = {});
+
+  Program& program() { return *program_; }
+  const std::string& script() const { return script_; }
+  const std::string& text() const { return text_; }
+  const WorkroomOptions& options() const { return options_; }
+  Listener& listener() { return *listener_; }
+
+  /// The next command of the script. Diagnostics that evaluating it brought up have been passed on.
+  std::optional<Command> next();
+
+  /// A garment of the program, meshed and sewn once; null when that was interrupted or its cloth cannot be had.
+  std::shared_ptr<const MadeGarment> make(int garment);
+  /// Places and solves; nullopt when that is not possible or was interrupted, which has then been said.
+  std::optional<Draped> drape(const DrapeCommand& command);
+
+  /// Writes a whole file unless interrupted.
+  void write(const std::filesystem::path& path, const std::string& bytes);
+  /// Writes below the output folder for a command of the script.
+  void write_below(const std::string& path, const std::string& bytes, Location written);
+
+  /// Passes on a diagnostic of the driver's own.
+  void diagnose(const Diagnostic& diagnostic);
+  void wrong_usage(const std::string& message, const std::string& help = "");
+  void file_failed(const std::string& message);
+
+  /// True once Ctrl-C was pressed; the outcome then says so.
+  bool interrupted();
+  const Outcome& outcome() const { return outcome_; }
+  Profile profile() const;
+
+ private:
+  void pass_on_diagnostics();
+  std::optional<FabricSheet> replacement_fabric();
+  Placed place_on(const MadeGarment& made, const Body* body);
+  void note_drape(const DrapeCommand& command, const Draped& draped);
+
+  WorkroomOptions options_;
+  Listener* listener_;
+  Job job_;
+  std::string script_;
+  std::string text_;
+  std::unique_ptr<FileWorld> world_;
+  std::unique_ptr<Program> program_;
+  std::size_t passed_on_ = 0;
+  std::map<int, std::shared_ptr<const MadeGarment>> made_;
+  Outcome outcome_;
+  Profile profile_;
+};
+
+/// A diagnostic about one place of the script.
+Diagnostic at_place(Severity severity, const char* code, Location written, std::string message, std::string label = "",
+                    std::string help = "");
+
+}  // namespace toile

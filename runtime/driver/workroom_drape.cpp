@@ -1,0 +1,120 @@
+// From a garment of the program to its drape: mesh, sew, place, solve.
+#include <fmt/format.h>
+
+#include "runtime/driver/stopwatch.hpp"
+#include "runtime/driver/workroom.hpp"
+#include "runtime/place/place.hpp"
+
+namespace toile {
+
+std::shared_ptr<const MadeGarment> Workroom::make(int garment) {
+  if (const auto found = made_.find(garment); found != made_.end()) return found->second;
+  auto made = std::make_shared<MadeGarment>();
+  made->garment = program_->garments()[static_cast<std::size_t>(garment)];
+  if (options_.fabric) {
+    std::optional<FabricSheet> fabric = replacement_fabric();
+    if (!fabric) return nullptr;
+    made->garment.fabric = *std::move(fabric);
+  }
+  {
+    const Stopwatch watch(profile_.mesh_s);
+    PMeshOptions mesh;
+    mesh.target_edge = edge_for_triangles(made->garment, options_.triangles);
+    made->mesh = sew(made->garment, mesh);
+    made->cloth = make_cloth(made->mesh);
+  }
+  if (interrupted()) return nullptr;
+  made_.emplace(garment, made);
+  return made;
+}
+
+// The expression is evaluated in the script's own scope: a garment of one plain square in that cloth is added to the
+// text, and its cloth is taken.
+std::optional<FabricSheet> Workroom::replacement_fabric() {
+  const std::string probe = fmt::format(
+      "\ngarment cloth_asked_for in {} {{\n  piece square {{\n    outline from (0cm, 0cm) {{\n"
+      "      a = line to (10cm, 0cm)\n      b = line to (10cm, 10cm)\n      c = line to (0cm, 10cm)\n"
+      "      d = line to start\n    }}\n  }}\n}}\n",
+      *options_.fabric);
+  const std::unique_ptr<Program> probed = toile::load(script_, text_ + probe, options_.settings, *world_);
+  if (!probed->ok()) {
+    std::string message = fmt::format("--fabric {}: no such cloth", *options_.fabric);
+    std::string help = "name a fabric as the script could: its own, or one of an imported module (fabrics.wool_serge)";
+    for (const Diagnostic& diagnostic : probed->diagnostics()) {
+      if (diagnostic.severity != Severity::Error) continue;
+      message = fmt::format("--fabric {}: {}", *options_.fabric, diagnostic.message);
+      if (!diagnostic.help.empty()) help = diagnostic.help;
+      break;
+    }
+    wrong_usage(message, help);
+    return std::nullopt;
+  }
+  return probed->garments().back().fabric;
+}
+
+Placed Workroom::place_on(const MadeGarment& made, const Body* body) {
+  const Stopwatch watch(profile_.place_s);
+  std::vector<Worn> worn;
+  for (const SMesh::WornLine& line : made.mesh.s.worn) {
+    const Wear& wear = made.garment.wears[static_cast<std::size_t>(line.wear)];
+    worn.push_back({&line, wear.line, wear.held, wear.from});
+  }
+  return place(made.mesh, made.cloth, worn, body);
+}
+
+std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
+  Draped draped;
+  draped.made = make(command.garment);
+  if (!draped.made) return std::nullopt;
+  if (command.body >= 0) {
+    std::string error;
+    draped.body = world_->body(program_->bodies()[static_cast<std::size_t>(command.body)], error);
+    if (!draped.body) {
+      diagnose(
+          at_place(Severity::Error, "E0407", command.written, "this body cannot be made: " + error, "needed here"));
+      return std::nullopt;
+    }
+  }
+  const Placed start = place_on(*draped.made, draped.body.get());
+  if (!start.error.empty()) {
+    diagnose(at_place(Severity::Error, "E0508", command.written, "this garment cannot be placed: " + start.error,
+                      "draped here"));
+    return std::nullopt;
+  }
+  DrapeOptions options;
+  options.accuracy = options_.accuracy.value_or(command.accuracy.value_or(options.accuracy));
+  options.solver = options_.solver;
+  options.threads = options_.threads;
+  options.gravity = draped.body != nullptr;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    draped.drape =
+        toile::drape(draped.made->cloth, draped.made->garment.fabric, draped.body.get(), start, options, job_);
+  }
+  profile_.factorisations += draped.drape.factorisations;
+  if (interrupted()) return std::nullopt;
+  note_drape(command, draped);
+  return draped;
+}
+
+void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
+  const Drape& result = draped.drape;
+  const std::string on = draped.body ? " on " + draped.body->spec().name : "";
+  std::string line =
+      fmt::format("{}{}: {} triangles, {} iterations, residual {:.1e} of a vertex's load", draped.made->garment.name,
+                  on, draped.made->cloth.triangles.size(), result.iterations, result.residual_relative);
+  if (draped.body) {
+    line +=
+        fmt::format("; weight {:.2f} N carried to within {:.2g} %, deepest contact {:.3f} mm", result.contact.weight_N,
+                    100 * result.contact.weight_error, 1000 * result.contact.max_penetration_m);
+  }
+  listener_->noted(line);
+  if (!result.converged) {
+    outcome_.unsettled = true;
+    diagnose(at_place(Severity::Warning, "W0509", command.written,
+                      fmt::format("{} did not come to rest: {}", draped.made->garment.name, result.trouble),
+                      "draped here", "files and pictures show the state it reached; the report says what is left"));
+  }
+}
+
+}  // namespace toile

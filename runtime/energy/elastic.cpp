@@ -1,0 +1,342 @@
+#include "runtime/energy/elastic.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+#include "runtime/solve/parallel.hpp"
+
+namespace toile {
+namespace {
+
+using std::size_t;
+
+Vector3 point(const Vector& q, int vertex) {
+  return q.segment<3>(3 * vertex);
+}
+
+Corners corners(const std::array<int, 3>& vertices, const Vector& q) {
+  return {point(q, vertices[0]), point(q, vertices[1]), point(q, vertices[2])};
+}
+
+}  // namespace
+
+ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law) : law_(law) {
+  triangles_.reserve(cloth.triangles.size());
+  for (const ClothTriangle& triangle : cloth.triangles) {
+    triangles_.push_back({triangle.vertices, membrane_shape(triangle.uv), bending_shape(triangle.uv), {}});
+  }
+  unknowns_.vertices = cloth.vertex_count;
+  make_hinges(cloth);
+  unknowns_.hinges = static_cast<int>(hinges_.size());
+  last_angle_.assign(hinges_.size(), 0.0);
+  make_elements();
+}
+
+void ElasticForm::make_hinges(const Cloth& cloth) {
+  const auto corner_vertex = [&](const SMesh::Wing& wing, int turn) {
+    return cloth.triangles[static_cast<size_t>(wing.triangle)].vertices[static_cast<size_t>((wing.corner + turn) % 3)];
+  };
+  const auto side = [&](const SMesh::Wing& wing) -> HingeSide& {
+    return triangles_[static_cast<size_t>(wing.triangle)].sides[static_cast<size_t>(wing.corner)];
+  };
+  const auto free_wing = [&](int edge, const SMesh::Wing& wing) {
+    side(wing) = {static_cast<int>(hinges_.size()), 0, 1};
+    hinges_.push_back({edge, {corner_vertex(wing, 1), corner_vertex(wing, 2), corner_vertex(wing, 0), -1}});
+  };
+  // Hinge e belongs to edge e; further wings of a T-seam come after all edges.
+  for (int edge = 0; edge < cloth.edge_count; ++edge) {
+    const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
+    const SMesh::Wing& first = wings.front();
+    if (wings.size() == 1) {
+      free_wing(edge, first);
+      continue;
+    }
+    const SMesh::Wing& second = wings[1];
+    // The second triangle walks the edge against the first where both are turned the same side up.
+    const bool agree = corner_vertex(second, 1) == corner_vertex(first, 2);
+    side(first) = {edge, 1, 1};
+    side(second) = agree ? HingeSide{edge, 1, -1} : HingeSide{edge, -1, 1};
+    hinges_.push_back(
+        {edge, {corner_vertex(first, 1), corner_vertex(first, 2), corner_vertex(first, 0), corner_vertex(second, 0)}});
+  }
+  for (int edge = 0; edge < cloth.edge_count; ++edge) {
+    const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
+    for (size_t extra = 2; extra < wings.size(); ++extra) free_wing(edge, wings[extra]);
+  }
+  rotation_stiffness_.assign(hinges_.size(), 0.0);
+  for (const Triangle& triangle : triangles_) {
+    const Matrix3 stiffness = bending_hessian(law_, triangle.bending, {});
+    for (size_t corner = 0; corner < 3; ++corner) {
+      const auto index = static_cast<Eigen::Index>(corner);
+      rotation_stiffness_[static_cast<size_t>(triangle.sides[corner].hinge)] += stiffness(index, index);
+    }
+  }
+}
+
+void ElasticForm::make_elements() {
+  elements_.resize(triangles_.size());
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    Element& element = elements_[t];
+    element.vertices.assign(triangles_[t].vertices.begin(), triangles_[t].vertices.end());
+    for (size_t corner = 0; corner < 3; ++corner) {
+      const ClothHinge& hinge = hinges_[static_cast<size_t>(triangles_[t].sides[corner].hinge)];
+      for (size_t k = 0; k < 4; ++k) {
+        const int vertex = hinge.vertices[k];
+        if (vertex < 0) continue;
+        auto found = std::find(element.vertices.begin(), element.vertices.end(), vertex);
+        if (found == element.vertices.end()) found = element.vertices.insert(found, vertex);
+        element.of_hinge[corner][k] = static_cast<int>(found - element.vertices.begin());
+      }
+    }
+  }
+}
+
+std::vector<int> ElasticForm::unknowns_of(const Element& element, const Triangle& triangle) const {
+  std::vector<int> unknowns;
+  for (const int vertex : element.vertices) {
+    for (int k = 0; k < 3; ++k) unknowns.push_back(3 * vertex + k);
+  }
+  for (const HingeSide& side : triangle.sides) unknowns.push_back(unknowns_.rotation(side.hinge));
+  return unknowns;
+}
+
+std::vector<std::vector<int>> ElasticForm::couplings() const {
+  std::vector<std::vector<int>> couplings;
+  couplings.reserve(elements_.size());
+  for (size_t t = 0; t < elements_.size(); ++t) couplings.push_back(unknowns_of(elements_[t], triangles_[t]));
+  return couplings;
+}
+
+void ElasticForm::prepare(const SparseMatrix& matrix) {
+  for (size_t t = 0; t < elements_.size(); ++t) {
+    elements_[t].places = matrix.places(unknowns_of(elements_[t], triangles_[t]));
+  }
+  hinge_places_.assign(hinges_.size(), {});
+  for (size_t h = 0; h < hinges_.size(); ++h) {
+    if (hinges_[h].vertices[3] < 0) continue;
+    std::vector<int> unknowns;
+    for (const int vertex : hinges_[h].vertices) {
+      for (int k = 0; k < 3; ++k) unknowns.push_back(3 * vertex + k);
+    }
+    hinge_places_[h] = matrix.places(unknowns);
+  }
+}
+
+Hinge ElasticForm::hinge_points(const ClothHinge& hinge, const Vector& q) const {
+  return {point(q, hinge.vertices[0]), point(q, hinge.vertices[1]), point(q, hinge.vertices[2]),
+          point(q, hinge.vertices[3])};
+}
+
+double ElasticForm::angle(size_t hinge, const Vector& q) const {
+  if (hinges_[hinge].vertices[3] < 0) return 0;
+  constexpr double turn = 2 * std::numbers::pi;
+  const double raw = dihedral(hinge_points(hinges_[hinge], q));
+  return raw + turn * std::round((last_angle_[hinge] - raw) / turn);
+}
+
+std::vector<double> ElasticForm::angles(const Vector& q) const {
+  std::vector<double> theta(hinges_.size());
+  parallel_for(hinges_.size(), [&](size_t begin, size_t end) {
+    for (size_t h = begin; h < end; ++h) theta[h] = angle(h, q);
+  });
+  return theta;
+}
+
+Angles ElasticForm::triangle_angles(const Triangle& triangle, const std::vector<double>& theta, const Vector& q) const {
+  Angles angles{};
+  for (size_t corner = 0; corner < 3; ++corner) {
+    const HingeSide& side = triangle.sides[corner];
+    angles[corner] =
+        side.tilt * theta[static_cast<size_t>(side.hinge)] / 2 + side.turn * q[unknowns_.rotation(side.hinge)];
+  }
+  return angles;
+}
+
+double ElasticForm::energy(const Vector& q, Vector* gradient) const {
+  const std::vector<double> theta = angles(q);
+  std::vector<double> energies(triangles_.size());
+  std::vector<Vector9> forces(gradient != nullptr ? triangles_.size() : 0);
+  std::vector<Angles> moments(forces.size());
+  parallel_for(triangles_.size(), [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t) {
+      const Triangle& triangle = triangles_[t];
+      const MembraneEnergy stretch = membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q),
+                                                     gradient != nullptr ? &forces[t] : nullptr);
+      const BendingEnergy bend = bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q),
+                                                gradient != nullptr ? &moments[t] : nullptr);
+      energies[t] = stretch.warp + stretch.weft + stretch.shear + bend.warp + bend.weft + bend.twist;
+    }
+  });
+  double total = 0;
+  for (const double energy : energies) total += energy;
+  if (gradient == nullptr) return total;
+
+  std::vector<double> hinge_moment(hinges_.size(), 0.0);
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    const Triangle& triangle = triangles_[t];
+    for (size_t corner = 0; corner < 3; ++corner) {
+      gradient->segment<3>(3 * triangle.vertices[corner]) +=
+          forces[t].segment<3>(static_cast<Eigen::Index>(3 * corner));
+      const HingeSide& side = triangle.sides[corner];
+      (*gradient)[unknowns_.rotation(side.hinge)] += side.turn * moments[t][corner];
+      hinge_moment[static_cast<size_t>(side.hinge)] += side.tilt / 2 * moments[t][corner];
+    }
+  }
+  std::vector<Vector12> slopes(hinges_.size());
+  parallel_for(hinges_.size(), [&](size_t begin, size_t end) {
+    for (size_t h = begin; h < end; ++h) {
+      if (hinges_[h].vertices[3] >= 0) slopes[h] = hinge_moment[h] * dihedral_gradient(hinge_points(hinges_[h], q));
+    }
+  });
+  for (size_t h = 0; h < hinges_.size(); ++h) {
+    if (hinges_[h].vertices[3] < 0) continue;
+    for (size_t k = 0; k < 4; ++k) {
+      gradient->segment<3>(3 * hinges_[h].vertices[k]) += slopes[h].segment<3>(static_cast<Eigen::Index>(3 * k));
+    }
+  }
+  return total;
+}
+
+void ElasticForm::add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const {
+  const std::vector<double> theta = angles(q);
+  std::vector<Vector12> slopes(hinges_.size());
+  parallel_for(hinges_.size(), [&](size_t begin, size_t end) {
+    for (size_t h = begin; h < end; ++h) {
+      if (hinges_[h].vertices[3] >= 0) slopes[h] = dihedral_gradient(hinge_points(hinges_[h], q));
+    }
+  });
+  add_triangles(q, theta, slopes, curvature, matrix);
+  if (curvature == Curvature::Full) add_hinges(q, theta, matrix);
+}
+
+void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& theta, const std::vector<Vector12>& slopes,
+                                Curvature curvature, SparseMatrix& matrix) const {
+  using Dense = Eigen::Matrix<double, Eigen::Dynamic, Eigen::Dynamic, Eigen::RowMajor, 21, 21>;
+  constexpr size_t chunk = 1024;  // element matrices held at a time
+  std::vector<Dense> dense(std::min(chunk, triangles_.size()));
+  for (size_t first = 0; first < triangles_.size(); first += chunk) {
+    const size_t count = std::min(chunk, triangles_.size() - first);
+    parallel_for(count, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        const Triangle& triangle = triangles_[first + i];
+        const Element& element = elements_[first + i];
+        const auto coordinates = static_cast<Eigen::Index>(3 * element.vertices.size());
+        // The three angles by the element's unknowns.
+        Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, 21> by_unknowns(3, coordinates + 3);
+        by_unknowns.setZero();
+        for (int corner = 0; corner < 3; ++corner) {
+          const HingeSide& side = triangle.sides[static_cast<size_t>(corner)];
+          by_unknowns(corner, coordinates + corner) = side.turn;
+          if (side.tilt == 0) continue;
+          for (int k = 0; k < 4; ++k) {
+            const int at = element.of_hinge[static_cast<size_t>(corner)][static_cast<size_t>(k)];
+            by_unknowns.block<1, 3>(corner, 3 * at) +=
+                side.tilt / 2 * slopes[static_cast<size_t>(side.hinge)].segment<3>(3 * k).transpose();
+          }
+        }
+        const Matrix3 by_angles = bending_hessian(law_, triangle.bending, triangle_angles(triangle, theta, q));
+        dense[i].noalias() = by_unknowns.transpose() * (by_angles * by_unknowns);
+        dense[i].topLeftCorner<9, 9>() +=
+            membrane_hessian(law_, triangle.membrane, corners(triangle.vertices, q), curvature);
+      }
+    });
+    for (size_t i = 0; i < count; ++i) {
+      size_t at = 0;
+      for (Eigen::Index row = 0; row < dense[i].rows(); ++row) {
+        for (Eigen::Index column = 0; column <= row; ++column, ++at) {
+          const std::int32_t place = elements_[first + i].places[at];
+          if (place >= 0) matrix.add_at(place, dense[i](row, column));
+        }
+      }
+    }
+  }
+}
+
+std::vector<double> ElasticForm::hinge_moments(const Vector& q, const std::vector<double>& theta) const {
+  std::vector<double> moments(hinges_.size(), 0.0);
+  for (const Triangle& triangle : triangles_) {
+    Angles moment{};
+    bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), &moment);
+    for (size_t corner = 0; corner < 3; ++corner) {
+      moments[static_cast<size_t>(triangle.sides[corner].hinge)] += triangle.sides[corner].tilt / 2 * moment[corner];
+    }
+  }
+  return moments;
+}
+
+void ElasticForm::add_hinges(const Vector& q, const std::vector<double>& theta, SparseMatrix& matrix) const {
+  const std::vector<double> moments = hinge_moments(q, theta);
+  constexpr size_t chunk = 1024;
+  std::vector<Matrix12> dense(std::min(chunk, hinges_.size()));
+  for (size_t first = 0; first < hinges_.size(); first += chunk) {
+    const size_t count = std::min(chunk, hinges_.size() - first);
+    parallel_for(count, [&](size_t begin, size_t end) {
+      for (size_t i = begin; i < end; ++i) {
+        if (hinges_[first + i].vertices[3] < 0) continue;
+        dense[i] = moments[first + i] * dihedral_hessian(hinge_points(hinges_[first + i], q));
+      }
+    });
+    for (size_t i = 0; i < count; ++i) {
+      size_t at = 0;
+      for (const std::int32_t place : hinge_places_[first + i]) {
+        // The lower triangle row by row: entry number r (r + 1) / 2 + c.
+        const auto row = static_cast<Eigen::Index>((std::sqrt(8.0 * static_cast<double>(at) + 1) - 1) / 2);
+        const auto column = static_cast<Eigen::Index>(at) - row * (row + 1) / 2;
+        if (place >= 0) matrix.add_at(place, dense[i](row, column));
+        ++at;
+      }
+    }
+  }
+}
+
+void ElasticForm::accept(const Vector& q) {
+  last_angle_ = angles(q);
+}
+
+ElasticParts ElasticForm::parts(const Vector& q) const {
+  const std::vector<double> theta = angles(q);
+  ElasticParts parts;
+  for (const Triangle& triangle : triangles_) {
+    const MembraneEnergy stretch = membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q), nullptr);
+    const BendingEnergy bend = bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), nullptr);
+    parts.stretch.warp += stretch.warp;
+    parts.stretch.weft += stretch.weft;
+    parts.stretch.shear += stretch.shear;
+    parts.bend.warp += bend.warp;
+    parts.bend.weft += bend.weft;
+    parts.bend.twist += bend.twist;
+  }
+  return parts;
+}
+
+std::vector<MembraneStrain> ElasticForm::strains(const Vector& q) const {
+  std::vector<MembraneStrain> strains;
+  strains.reserve(triangles_.size());
+  for (const Triangle& triangle : triangles_) {
+    strains.push_back(membrane_strain(triangle.membrane, corners(triangle.vertices, q)));
+  }
+  return strains;
+}
+
+std::vector<Curvatures> ElasticForm::curvatures(const Vector& q) const {
+  const std::vector<double> theta = angles(q);
+  std::vector<Curvatures> curvatures;
+  curvatures.reserve(triangles_.size());
+  for (const Triangle& triangle : triangles_) {
+    curvatures.push_back(toile::curvatures(triangle.bending, triangle_angles(triangle, theta, q)));
+  }
+  return curvatures;
+}
+
+double ElasticForm::mean_internal_force(const Vector& q) const {
+  double sum = 0;
+  Vector9 force;
+  for (const Triangle& triangle : triangles_) {
+    membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q), &force);
+    for (Eigen::Index corner = 0; corner < 3; ++corner) sum += force.segment<3>(3 * corner).norm();
+  }
+  return unknowns_.vertices > 0 ? sum / unknowns_.vertices : 0;
+}
+
+}  // namespace toile

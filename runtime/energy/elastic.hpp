@@ -1,0 +1,102 @@
+// The six deformation energies of a whole cloth: elongation, shear, bending and twist of every triangle.
+#pragma once
+
+#include <array>
+#include <vector>
+
+#include "runtime/energy/bending.hpp"
+#include "runtime/energy/dihedral.hpp"
+#include "runtime/energy/membrane.hpp"
+#include "runtime/mesh/cloth.hpp"
+#include "runtime/solve/form.hpp"
+
+namespace toile {
+
+/// An edge at which the surface turns. Wings beyond the second of a T-seam get hinges of their own with one wing: they
+/// bend freely there.
+struct ClothHinge {
+  int edge = 0;
+  std::array<int, 4> vertices{};  // as in Hinge; the last is -1 on a free edge
+};
+
+/// A triangle's part in the hinge opposite to one of its corners: its angle is tilt * theta / 2 + turn * rotation.
+struct HingeSide {
+  int hinge = 0;
+  double tilt = 0;
+  double turn = 1;
+};
+
+/// Positions of unknowns: coordinates of vertices first, then the hinges' rotations.
+struct ClothUnknowns {
+  int vertices = 0;
+  int hinges = 0;
+  int count() const { return 3 * vertices + hinges; }
+  int rotation(int hinge) const { return 3 * vertices + hinge; }
+};
+
+struct ElasticParts {  // [J]
+  MembraneEnergy stretch;
+  BendingEnergy bend;
+  double total() const { return stretch.warp + stretch.weft + stretch.shear + bend.warp + bend.weft + bend.twist; }
+};
+
+class ElasticForm : public Form {
+ public:
+  ElasticForm(const Cloth& cloth, const FabricLaw& law);
+
+  const ClothUnknowns& unknowns() const { return unknowns_; }
+  const std::vector<ClothHinge>& hinges() const { return hinges_; }
+  /// What every triangle and hinge couples: the pattern of the matrix.
+  std::vector<std::vector<int>> couplings() const;
+  /// Finds the places of all elements in the matrix; call once after building it.
+  void prepare(const SparseMatrix& matrix);
+
+  double energy(const Vector& q, Vector* gradient) const override;
+  void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
+  void accept(const Vector& q) override;
+
+  ElasticParts parts(const Vector& q) const;
+  /// Per triangle.
+  std::vector<MembraneStrain> strains(const Vector& q) const;
+  std::vector<Curvatures> curvatures(const Vector& q) const;
+  /// Sum over vertices of the norms of what each triangle's membrane puts on them, over the number of vertices [N].
+  double mean_internal_force(const Vector& q) const;
+  /// The largest bending rigidity in reach of a hinge's rotation, to scale its regularisation [N m].
+  double rotation_stiffness(int hinge) const { return rotation_stiffness_[static_cast<std::size_t>(hinge)]; }
+
+ private:
+  struct Triangle {
+    std::array<int, 3> vertices{};
+    MembraneShape membrane;
+    BendingShape bending;
+    std::array<HingeSide, 3> sides{};
+  };
+  struct Element {
+    std::vector<int> vertices;                     // the triangle's and its neighbours' far corners, each once
+    std::array<std::array<int, 4>, 3> of_hinge{};  // the hinge's points among them
+    std::vector<std::int32_t> places;
+  };
+
+  void make_hinges(const Cloth& cloth);
+  void make_elements();
+  std::vector<int> unknowns_of(const Element& element, const Triangle& triangle) const;
+  Hinge hinge_points(const ClothHinge& hinge, const Vector& q) const;
+  double angle(std::size_t hinge, const Vector& q) const;
+  std::vector<double> angles(const Vector& q) const;
+  Angles triangle_angles(const Triangle& triangle, const std::vector<double>& theta, const Vector& q) const;
+  void add_triangles(const Vector& q, const std::vector<double>& theta, const std::vector<Vector12>& slopes,
+                     Curvature curvature, SparseMatrix& matrix) const;
+  void add_hinges(const Vector& q, const std::vector<double>& theta, SparseMatrix& matrix) const;
+  std::vector<double> hinge_moments(const Vector& q, const std::vector<double>& theta) const;
+
+  FabricLaw law_;
+  ClothUnknowns unknowns_;
+  std::vector<Triangle> triangles_;
+  std::vector<ClothHinge> hinges_;
+  std::vector<Element> elements_;
+  std::vector<std::vector<std::int32_t>> hinge_places_;
+  std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
+  std::vector<double> rotation_stiffness_;
+};
+
+}  // namespace toile

@@ -1,0 +1,25 @@
+// Eigen types of the mechanics, internal to the runtime's .cpp files.
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+
+#include "runtime/mesh/vec3.hpp"
+
+namespace toile {
+
+using Vector = Eigen::VectorXd;
+using Vector3 = Eigen::Vector3d;
+using Matrix3 = Eigen::Matrix3d;
+
+inline Vector3 to_eigen(Vec3 v) {
+  return {v.x, v.y, v.z};
+}
+inline Vec3 to_vec3(const Vector3& v) {
+  return {v.x(), v.y(), v.z()};
+}
+
+/// Which second derivative an element gives: the true one, or its part that keeps Newton's matrix positive definite.
+enum class Curvature { Full, PositiveDefinite };
+
+}  // namespace toile

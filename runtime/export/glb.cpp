@@ -1,0 +1,187 @@
+// glTF 2.0 binary (Khronos specification 2.0.1): one node, mesh and primitive a garment, everything embedded.
+#include <algorithm>
+#include <array>
+#include <cstdint>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <string_view>
+#include <utility>
+#include <vector>
+
+#include "runtime/export/export.hpp"
+#include "runtime/export/little_endian.hpp"
+#include "runtime/export/split_surface.hpp"
+#include "runtime/export/textile_image.hpp"
+#include "runtime/png/png.hpp"
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+// Enumerants of the specification, section 5.
+constexpr int kFloat = 5126;
+constexpr int kUnsignedInt = 5125;
+constexpr int kArrayBuffer = 34962;
+constexpr int kElementArrayBuffer = 34963;
+constexpr int kLinear = 9729;
+constexpr int kLinearMipmapLinear = 9987;
+constexpr int kRepeat = 10497;
+
+/// A turn from z up to glTF's y up; the wearer then faces +z, as glTF asks of a model's front.
+Vec3 y_up(Vec3 p) {
+  return {p.x, p.z, -p.y};
+}
+
+void pad(std::string& bytes, char with) {
+  while (bytes.size() % 4 != 0) bytes.push_back(with);
+}
+
+/// The binary chunk and the JSON that describes it, grown view by view.
+class Buffer {
+ public:
+  /// Closes a view over what was appended to `bytes` since the last one; 4-aligned.
+  int close_view(int target) {
+    Json view{{"buffer", 0}, {"byteOffset", start_}, {"byteLength", bytes.size() - start_}};
+    if (target != 0) view["target"] = target;
+    views.push_back(std::move(view));
+    pad(bytes, '\0');
+    start_ = bytes.size();
+    return static_cast<int>(views.size()) - 1;
+  }
+  int add_accessor(int target, int component, std::size_t count, std::string_view type) {
+    accessors.push_back(
+        {{"bufferView", close_view(target)}, {"componentType", component}, {"count", count}, {"type", type}});
+    return static_cast<int>(accessors.size()) - 1;
+  }
+
+  std::string bytes;
+  Json views = Json::array();
+  Json accessors = Json::array();
+
+ private:
+  std::size_t start_ = 0;
+};
+
+int add_positions(Buffer& buffer, const std::vector<Vec3>& positions) {
+  std::array<float, 3> least{};
+  std::array<float, 3> most{};
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    const Vec3 p = y_up(positions[i]);
+    const std::array<float, 3> point{static_cast<float>(p.x), static_cast<float>(p.y), static_cast<float>(p.z)};
+    for (std::size_t axis = 0; axis < 3; ++axis) {
+      append(buffer.bytes, point[axis]);
+      least[axis] = i == 0 ? point[axis] : std::min(least[axis], point[axis]);
+      most[axis] = i == 0 ? point[axis] : std::max(most[axis], point[axis]);
+    }
+  }
+  const int accessor = buffer.add_accessor(kArrayBuffer, kFloat, positions.size(), "VEC3");
+  buffer.accessors.back()["min"] = least;
+  buffer.accessors.back()["max"] = most;
+  return accessor;
+}
+
+int add_normals(Buffer& buffer, const std::vector<Vec3>& normals) {
+  for (const Vec3& normal : normals) {
+    const Vec3 n = y_up(normal);
+    for (const double value : {n.x, n.y, n.z}) append(buffer.bytes, static_cast<float>(value));
+  }
+  return buffer.add_accessor(kArrayBuffer, kFloat, normals.size(), "VEC3");
+}
+
+int add_texture_coordinates(Buffer& buffer, const std::vector<Vec2>& uv, const TextileImage& textile) {
+  for (const Vec2 point : uv) {
+    append(buffer.bytes, static_cast<float>(point.x / textile.repeat_u));
+    append(buffer.bytes, static_cast<float>(point.y / textile.repeat_v));
+  }
+  return buffer.add_accessor(kArrayBuffer, kFloat, uv.size(), "VEC2");
+}
+
+int add_indices(Buffer& buffer, const std::vector<std::array<int, 3>>& triangles) {
+  for (const auto& triangle : triangles) {
+    for (const int corner : triangle) append(buffer.bytes, static_cast<std::uint32_t>(corner));
+  }
+  return buffer.add_accessor(kElementArrayBuffer, kUnsignedInt, 3 * triangles.size(), "SCALAR");
+}
+
+/// Cloth: rough, without metal, seen from both sides, with the soft edge light of its fibres in its own colour.
+Json material(const Textile& textile, const TextileImage& image) {
+  constexpr double kSheen = 0.5;
+  const std::array<double, 3> sheen{kSheen * image.mean[0], kSheen * image.mean[1], kSheen * image.mean[2]};
+  return {
+      {"name", textile.name},
+      {"doubleSided", true},
+      {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
+      {"extensions", {{"KHR_materials_sheen", {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", 0.6}}}}}};
+}
+
+/// Which triangles, in the primitive's order, are of which piece.
+Json pieces(const Garment& garment, const PMesh& mesh) {
+  Json pieces = Json::array();
+  const std::vector<PieceRange> ranges = piece_ranges(mesh, garment.pieces.size());
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    pieces.push_back({{"name", garment.pieces[i].name},
+                      {"first_triangle", ranges[i].first_triangle},
+                      {"triangles", ranges[i].triangles}});
+  }
+  return pieces;
+}
+
+void append_chunk(std::string& file, std::string_view type, const std::string& content) {
+  append(file, static_cast<std::uint32_t>(content.size()));
+  file += type;
+  file += content;
+}
+
+std::string container(std::string json, const std::string& binary) {
+  constexpr std::size_t kHeader = 12;
+  constexpr std::size_t kChunkHeader = 8;
+  pad(json, ' ');
+  std::string file = "glTF";
+  append(file, std::uint32_t{2});
+  append(file, static_cast<std::uint32_t>(kHeader + 2 * kChunkHeader + json.size() + binary.size()));
+  append_chunk(file, "JSON", json);
+  append_chunk(file, std::string_view("BIN\0", 4), binary);
+  return file;
+}
+
+}  // namespace
+
+std::string glb(const DrapedGarment& draped) {
+  const Garment& garment = *draped.garment;
+  const SplitSurface surface = split_surface(*draped.mesh, draped.drape->positions);
+  const TextileImage textile = textile_image(garment.textile);
+
+  Buffer buffer;
+  const int positions = add_positions(buffer, surface.positions);
+  const int normals = add_normals(buffer, surface.normals);
+  const int uv = add_texture_coordinates(buffer, surface.uv, textile);
+  const int indices = add_indices(buffer, surface.triangles);
+  buffer.bytes += png(textile.image);
+  const int picture = buffer.close_view(0);
+
+  const Json attributes{{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uv}};
+  const Json primitive{{"attributes", attributes}, {"indices", indices}, {"material", 0}};
+  const Json root{
+      {"asset", {{"version", "2.0"}, {"generator", "toile " TOILE_VERSION}}},
+      {"extensionsUsed", Json::array({"KHR_materials_sheen"})},
+      {"scene", 0},
+      {"scenes", Json::array({{{"name", garment.name}, {"nodes", Json::array({0})}}})},
+      {"nodes", Json::array({{{"name", garment.name}, {"mesh", 0}}})},
+      {"meshes", Json::array({{{"name", garment.name},
+                               {"primitives", Json::array({primitive})},
+                               {"extras", {{"pieces", pieces(garment, draped.mesh->p)}}}}})},
+      {"materials", Json::array({material(garment.textile, textile)})},
+      {"textures", Json::array({{{"sampler", 0}, {"source", 0}}})},
+      {"images", Json::array({{{"bufferView", picture}, {"mimeType", "image/png"}}})},
+      {"samplers",
+       Json::array(
+           {{{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}, {"wrapS", kRepeat}, {"wrapT", kRepeat}}})},
+      {"accessors", buffer.accessors},
+      {"bufferViews", buffer.views},
+      {"buffers", Json::array({{{"byteLength", buffer.bytes.size()}}})}};
+  return container(root.dump(-1, ' ', false, Json::error_handler_t::replace), buffer.bytes);
+}
+
+}  // namespace toile

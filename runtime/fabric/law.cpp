@@ -1,0 +1,151 @@
+#include "runtime/fabric/law.hpp"
+
+#include <algorithm>
+#include <cmath>
+#include <numbers>
+
+namespace toile {
+namespace {
+
+constexpr double degree = std::numbers::pi / 180;
+constexpr double kes_force = 490.3325;     // [N/m], 500 gf/cm
+constexpr double blend = 1e-4;             // half width of the passage from compression to tension
+constexpr double smoothing_curvature = 4;  // [1/m]
+constexpr double shear_smoothing = 0.25 * degree;
+constexpr double shear_loop_end = 8 * degree;
+constexpr double woven_locking = 40 * degree;
+
+/// LT = 2/z - 2/(exp(z) - 1) falls from 2 through 1 at z = 0 to 0; the root by bisection.
+double exponent_of_linearity(double lt) {
+  const auto linearity = [](double z) { return std::abs(z) < 1e-4 ? 1 - z / 6 : 2 / z - 2 / std::expm1(z); };
+  double low = -30, high = 30;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (linearity(middle) > lt ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+}  // namespace
+
+ElongationLaw ElongationLaw::linear(double stiffness) {
+  ElongationLaw law;
+  law.initial_ = law.compression_ = stiffness;
+  return law;
+}
+
+ElongationLaw ElongationLaw::from_kes(double emt, double lt) {
+  ElongationLaw law;
+  law.limit_ = emt;
+  law.exponent_ = exponent_of_linearity(lt);
+  if (std::abs(law.exponent_) < 1e-6) law.exponent_ = 1e-6;
+  law.scale_ = kes_force / std::expm1(law.exponent_);
+  law.initial_ = law.scale_ * law.exponent_ / emt;
+  law.compression_ = 0.1 * law.initial_;
+  // Across the blend the slope runs straight from compression to tension; what that loses against the curve shifts the
+  // rest.
+  const Density curve = law.stretched(blend);
+  const double middle = 0.5 * (law.compression_ + curve.stiffness);
+  const double rise = (curve.stiffness - law.compression_) / (2 * blend);
+  law.shift_force_ = middle * blend + 0.5 * rise * blend * blend - curve.force;
+  law.shift_energy_ = 0.5 * middle * blend * blend + rise * blend * blend * blend / 6 - curve.energy;
+  return law;
+}
+
+Density ElongationLaw::stretched(double strain) const {
+  const double inside = std::min(strain, limit_);
+  const double growth = std::exp(exponent_ * inside / limit_);
+  Density density{scale_ * (limit_ / exponent_ * (growth - 1) - inside), scale_ * (growth - 1),
+                  scale_ * exponent_ / limit_ * growth};
+  const double beyond = strain - inside;
+  density.energy += density.force * beyond + 0.5 * density.stiffness * beyond * beyond;
+  density.force += density.stiffness * beyond;
+  return density;
+}
+
+Density ElongationLaw::operator()(double strain) const {
+  if (limit_ == 0) return {0.5 * initial_ * strain * strain, initial_ * strain, initial_};
+  if (strain > blend) {
+    Density density = stretched(strain);
+    density.energy += shift_force_ * (strain - blend) + shift_energy_;
+    density.force += shift_force_;
+    return density;
+  }
+  const double top = stretched(blend).stiffness;
+  const double middle = 0.5 * (compression_ + top);
+  const double rise = (top - compression_) / (2 * blend);
+  const auto blended = [&](double e) {
+    return Density{0.5 * middle * e * e + rise * e * e * e / 6, middle * e + 0.5 * rise * e * e, middle + rise * e};
+  };
+  if (strain >= -blend) return blended(strain);
+  const Density edge = blended(-blend);
+  const double beyond = strain + blend;
+  return {edge.energy + edge.force * beyond + 0.5 * compression_ * beyond * beyond, edge.force + compression_ * beyond,
+          compression_};
+}
+
+ShearLaw::ShearLaw(double stiffness, double hysteresis_half_degree, double hysteresis_five_degrees,
+                   double locking_angle)
+    : stiffness_(stiffness), locking_(locking_angle) {
+  const double half = hysteresis_half_degree / 2, five = hysteresis_five_degrees / 2;
+  // A loop that grows faster than the whole curve would leave nothing elastic: keep a third of G.
+  slope_ = std::clamp((five - half) / (4.5 * degree), 0.0, 2 * stiffness / 3);
+  step_ = std::max(0.0, half - slope_ * 0.5 * degree);
+}
+
+ShearLaw ShearLaw::linear(double stiffness) {
+  return {stiffness, 0, 0, 0};
+}
+
+Density ShearLaw::operator()(double angle) const {
+  const double root = std::hypot(angle, shear_smoothing);
+  Density density{0.5 * stiffness_ * angle * angle + step_ * (root - shear_smoothing),
+                  stiffness_ * angle + step_ * angle / root,
+                  stiffness_ + step_ * shear_smoothing * shear_smoothing / (root * root * root)};
+  const double beyond = std::abs(angle) - shear_loop_end;
+  if (locking_ == 0 || beyond <= 0) return density;
+  const double sign = angle > 0 ? 1 : -1;
+  // Past its end the loop no longer grows (the slope goes over smoothly within a degree), and the threads begin to jam.
+  const bool passing = beyond < degree;
+  const double fall = slope_ * (passing ? beyond * beyond / (2 * degree) : beyond - degree / 2);
+  const double fall_energy = slope_ * (passing ? beyond * beyond * beyond / (6 * degree)
+                                               : degree * degree / 6 + (beyond - degree) * beyond / 2);
+  const double jam = 10 * stiffness_ / ((locking_ - shear_loop_end) * (locking_ - shear_loop_end));
+  density.energy += jam * beyond * beyond * beyond * beyond / 4 - fall_energy;
+  density.force += sign * (jam * beyond * beyond * beyond - fall);
+  density.stiffness += 3 * jam * beyond * beyond - slope_ * std::min(beyond / degree, 1.0);
+  return density;
+}
+
+Density BendingLaw::operator()(double curvature) const {
+  const double root = std::hypot(curvature, smoothing_curvature);
+  return {0.5 * rigidity * curvature * curvature + friction * (root - smoothing_curvature),
+          rigidity * curvature + friction * curvature / root,
+          rigidity + friction * smoothing_curvature * smoothing_curvature / (root * root * root)};
+}
+
+FabricLaw make_law(const FabricSheet& sheet) {
+  const WarpWeft emt = sheet.emt.value_or(WarpWeft{0.05, 0.05});
+  const WarpWeft lt = sheet.lt.value_or(WarpWeft{0.65, 0.65});
+  const WarpWeft b = sheet.b.value_or(WarpWeft{});
+  const WarpWeft hb = sheet.hb.value_or(WarpWeft{});
+  const auto mean = [](const std::optional<WarpWeft>& row, double otherwise) {
+    return row ? 0.5 * (row->warp + row->weft) : otherwise;
+  };
+  const double g = mean(sheet.g, 0.6 * 56.188);
+  const ShearLaw shear =
+      sheet.shear ? ShearLaw::linear(*sheet.shear) : ShearLaw(g, mean(sheet.hg, 0), mean(sheet.hg5, 0), woven_locking);
+  return FabricLaw{
+      .warp = sheet.stretch ? ElongationLaw::linear(sheet.stretch->warp) : ElongationLaw::from_kes(emt.warp, lt.warp),
+      .weft = sheet.stretch ? ElongationLaw::linear(sheet.stretch->weft) : ElongationLaw::from_kes(emt.weft, lt.weft),
+      .shear = shear,
+      .bend_warp = {b.warp, hb.warp / 2},
+      .bend_weft = {b.weft, hb.weft / 2},
+      .twist = sheet.twist.value_or(0.5 * std::sqrt(b.warp * b.weft)),
+      .weight = sheet.weight.value_or(0),
+      .thickness = sheet.t0.value_or(0.0005),
+      .friction = sheet.miu.value_or(0.2),
+  };
+}
+
+}  // namespace toile

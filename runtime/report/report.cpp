@@ -1,0 +1,105 @@
+#include "runtime/report/report.hpp"
+
+#include <nlohmann/json.hpp>
+
+#include "runtime/export/json_layout.hpp"
+#include "runtime/report/summary.hpp"
+
+namespace toile {
+
+namespace {
+
+using Json = nlohmann::ordered_json;
+
+Json json(const Spread& spread) {
+  return {{"min", spread.min}, {"mean", spread.mean}, {"p95", spread.p95}, {"max", spread.max}};
+}
+
+Json json(const Summary::Directions& directions) {
+  return {{"warp", json(directions.warp)}, {"weft", json(directions.weft)}, {"shear", json(directions.shear)}};
+}
+
+Json mesh(const Summary& summary) {
+  const Topology& topology = summary.topology;
+  return {{"triangles", topology.triangles},
+          {"vertices", topology.vertices},
+          {"edges", topology.edges},
+          {"boundary_loops", topology.boundary_loops},
+          {"components", topology.components},
+          {"euler", topology.euler},
+          {"orientable", topology.orientable},
+          {"manifold", topology.manifold},
+          {"area_m2", summary.area_m2},
+          {"edge_length_m", {{"min", summary.edge_min_m}, {"mean", summary.edge_mean_m}, {"max", summary.edge_max_m}}}};
+}
+
+Json solve(const Summary& summary) {
+  const Energies& energy = summary.energy_J;
+  return {{"converged", summary.converged},
+          {"trouble", summary.trouble},
+          {"iterations", summary.iterations},
+          {"residual_N", summary.residual_N},
+          {"residual_moment_Nm", summary.residual_moment_Nm},
+          {"residual_relative", summary.residual_relative},
+          {"energy_J",
+           {{"stretch_warp", energy.stretch_warp},
+            {"stretch_weft", energy.stretch_weft},
+            {"shear", energy.shear},
+            {"bend_warp", energy.bend_warp},
+            {"bend_weft", energy.bend_weft},
+            {"twist", energy.twist},
+            {"gravity", energy.gravity},
+            {"contact", energy.contact},
+            {"friction", energy.friction},
+            {"self_contact", energy.self_contact},
+            {"total", energy.total()}}}};
+}
+
+Json contact(const Contact& contact) {
+  return {{"weight_N", contact.weight_N},
+          {"support_N",
+           {{"body", contact.support_body_N},
+            {"friction", contact.support_friction_N},
+            {"held", contact.support_held_N},
+            {"total", contact.support_total_N()}}},
+          {"weight_error", contact.weight_error},
+          {"max_penetration_m", contact.max_penetration_m},
+          {"contact_area_m2", contact.contact_area_m2},
+          {"pressure_Pa",
+           {{"mean", contact.pressure_Pa.mean}, {"p95", contact.pressure_Pa.p95}, {"max", contact.pressure_Pa.max}}}};
+}
+
+std::string text(const Json& root) {
+  return laid_out(root.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+}  // namespace
+
+std::string report_json(const std::string& script, const DrapedGarment& draped) {
+  const Summary summary = summarise(draped);
+  return text({{"schema", 1},
+               {"script", script},
+               {"garment", draped.garment->name},
+               {"mesh", mesh(summary)},
+               {"solve", solve(summary)},
+               {"contact", contact(summary.contact)},
+               {"self", {{"intersecting_triangle_pairs", summary.intersecting_triangle_pairs}}},
+               {"shape", {{"folds", summary.folds}, {"projected_area_m2", summary.projected_area_m2}}},
+               {"strain", json(summary.strain)},
+               {"stress_N_per_m", json(summary.stress_N_per_m)}});
+}
+
+std::string profile_json(const Profile& profile) {
+  return text({{"schema", 1},
+               {"seconds",
+                {{"compile", profile.compile_s},
+                 {"mesh", profile.mesh_s},
+                 {"place", profile.place_s},
+                 {"solve", profile.solve_s},
+                 {"total", profile.total_s}}},
+               {"cpu_seconds", profile.cpu_s},
+               {"peak_memory_bytes", profile.peak_memory_bytes},
+               {"factorisations", profile.factorisations}});
+}
+
+}  // namespace toile

@@ -1,0 +1,19 @@
+// The report of a drape as JSON, key by key as docs/report.md has it. Its bytes depend on the script alone.
+#pragma once
+
+#include <string>
+
+#include "runtime/export/export.hpp"
+
+namespace toile {
+
+std::string report_json(const std::string& script, const DrapedGarment& draped);
+
+struct Profile {
+  double compile_s = 0, mesh_s = 0, place_s = 0, solve_s = 0, total_s = 0, cpu_s = 0;
+  long peak_memory_bytes = 0;
+  int factorisations = 0;
+};
+std::string profile_json(const Profile& profile);
+
+}  // namespace toile

@@ -1,0 +1,78 @@
+#include <cholmod.h>
+
+#include "runtime/solve/sparse.hpp"
+
+namespace toile {
+
+struct Cholesky::Handle {
+  cholmod_common common{};
+  cholmod_factor* factor = nullptr;
+
+  Handle() {
+    cholmod_start(&common);
+    common.print = 0;
+    common.quick_return_if_not_posdef = 1;
+    common.supernodal = CHOLMOD_SUPERNODAL;
+    common.final_ll = 1;
+    common.nmethods = 1;
+    common.method[0].ordering = CHOLMOD_METIS;
+    common.postorder = 1;
+  }
+  ~Handle() {
+    cholmod_free_factor(&factor, &common);
+    cholmod_finish(&common);
+  }
+};
+
+namespace {
+
+/// CHOLMOD's view of our arrays; it does not write to them.
+cholmod_sparse view(const SparseMatrix& matrix) {
+  cholmod_sparse sparse{};
+  sparse.nrow = sparse.ncol = static_cast<std::size_t>(matrix.rows());
+  sparse.nzmax = matrix.values().size();
+  sparse.p = const_cast<int*>(matrix.column_start().data());
+  sparse.i = const_cast<int*>(matrix.row_index().data());
+  sparse.x = const_cast<double*>(matrix.values().data());
+  sparse.stype = -1;
+  sparse.itype = CHOLMOD_INT;
+  sparse.xtype = CHOLMOD_REAL;
+  sparse.dtype = CHOLMOD_DOUBLE;
+  sparse.sorted = 1;
+  sparse.packed = 1;
+  return sparse;
+}
+
+}  // namespace
+
+Cholesky::Cholesky() : handle_(std::make_unique<Handle>()) {}
+Cholesky::~Cholesky() = default;
+
+void Cholesky::analyse(const SparseMatrix& matrix) {
+  cholmod_sparse a = view(matrix);
+  cholmod_free_factor(&handle_->factor, &handle_->common);
+  handle_->factor = cholmod_analyze(&a, &handle_->common);
+}
+
+bool Cholesky::factorise(const SparseMatrix& matrix) {
+  cholmod_sparse a = view(matrix);
+  ++factorisations_;
+  cholmod_factorize(&a, handle_->factor, &handle_->common);
+  return handle_->common.status == CHOLMOD_OK && handle_->factor->minor == handle_->factor->n;
+}
+
+Vector Cholesky::solve(const Vector& right) const {
+  cholmod_dense b{};
+  b.nrow = b.nzmax = b.d = static_cast<std::size_t>(right.size());
+  b.ncol = 1;
+  b.x = const_cast<double*>(right.data());
+  b.xtype = CHOLMOD_REAL;
+  b.dtype = CHOLMOD_DOUBLE;
+  cholmod_dense* x = cholmod_solve(CHOLMOD_A, handle_->factor, &b, &handle_->common);
+  if (x == nullptr) return Vector::Zero(right.size());
+  const Vector solution = Eigen::Map<const Vector>(static_cast<double*>(x->x), right.size());
+  cholmod_free_dense(&x, &handle_->common);
+  return solution;
+}
+
+}  // namespace toile

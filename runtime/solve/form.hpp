@@ -1,0 +1,21 @@
+// One interface for every term of the energy.
+#pragma once
+
+#include "runtime/energy/vector.hpp"
+#include "runtime/solve/sparse.hpp"
+
+namespace toile {
+
+/// A function of the unknowns q: 3 coordinates a vertex, then one rotation a hinge.
+class Form {
+ public:
+  virtual ~Form() = default;
+  /// The energy [J]; its derivative is added to `gradient` where given.
+  virtual double energy(const Vector& q, Vector* gradient) const = 0;
+  /// Adds second derivatives. The couplings must be among those the matrix was built for.
+  virtual void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const = 0;
+  /// The solver has come to rest at q for this step: history (unwrapped angles, anchors of friction) moves on.
+  virtual void accept(const Vector& /*q*/) {}
+};
+
+}  // namespace toile

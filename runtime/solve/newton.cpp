@@ -1,0 +1,162 @@
+#include "runtime/solve/newton.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+namespace toile {
+namespace {
+
+constexpr double highest_lift = 1e2, lowest_lift = 1e-3;  // [1/s2]
+
+/// One run of Newton's method.
+class Newton {
+ public:
+  Newton(const NewtonProblem& problem, const NewtonOptions& options, const Job& job, Vector& q)
+      : problem_(problem), options_(options), job_(job), q_(q), rate_(options.rate) {}
+
+  NewtonOutcome run();
+
+ private:
+  double evaluate(const Vector& q, Vector* gradient) const;
+  bool factorise();
+  bool factorise(Curvature curvature, double rate);
+  Vector solve(const Vector& force) const;
+  double longest(const Vector& step) const;
+  Vector direction() const;
+  /// The accepted fraction of the step, 0 when none decreases the energy.
+  double search(const Vector& step);
+  void settle();
+  void adapt(double fraction);
+
+  const NewtonProblem& problem_;
+  const NewtonOptions& options_;
+  const Job& job_;
+  Vector& q_;
+  Vector gradient_;
+  double energy_ = 0;
+  double rate_ = 0;
+  double lift_ = 0;  // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
+};
+
+double Newton::evaluate(const Vector& q, Vector* gradient) const {
+  if (gradient != nullptr) gradient->setZero(q.size());
+  double energy = 0;
+  for (const Form* form : problem_.forms) energy += form->energy(q, gradient);
+  if (gradient != nullptr) {
+    const std::vector<int>& reduced = problem_.matrix->reduced();
+    for (std::size_t i = 0; i < reduced.size(); ++i) {
+      if (reduced[i] < 0) (*gradient)[static_cast<Eigen::Index>(i)] = 0;
+    }
+  }
+  return energy;
+}
+
+bool Newton::factorise(Curvature curvature, double rate) {
+  problem_.matrix->set_zero();
+  for (const Form* form : problem_.forms) form->add_hessian(q_, curvature, *problem_.matrix);
+  problem_.matrix->add_diagonal(problem_.inertia, rate);
+  return problem_.cholesky->factorise(*problem_.matrix);
+}
+
+bool Newton::factorise() {
+  // The true Hessian, lifted just so far that it is definite, goes along the soft folds of the cloth; where that would
+  // take too much lifting, its positive-definite part makes the better step.
+  for (int trial = 0; trial < 3 && std::max(rate_, lift_) < highest_lift; ++trial) {
+    if (factorise(Curvature::Full, std::max(rate_, lift_))) {
+      lift_ = lift_ < lowest_lift ? 0 : lift_ / 3;
+      return true;
+    }
+    lift_ = std::max({10 * lift_, 10 * rate_, 1.0});
+  }
+  lift_ = std::min(lift_, highest_lift / 2);
+  return factorise(Curvature::PositiveDefinite, rate_);
+}
+
+Vector Newton::solve(const Vector& force) const {
+  const std::vector<int>& reduced = problem_.matrix->reduced();
+  Vector right(problem_.matrix->rows());
+  for (std::size_t i = 0; i < reduced.size(); ++i) {
+    if (reduced[i] >= 0) right[reduced[i]] = force[static_cast<Eigen::Index>(i)];
+  }
+  const Vector solution = problem_.cholesky->solve(right);
+  Vector step = Vector::Zero(q_.size());
+  for (std::size_t i = 0; i < reduced.size(); ++i) {
+    if (reduced[i] >= 0) step[static_cast<Eigen::Index>(i)] = solution[reduced[i]];
+  }
+  return step;
+}
+
+double Newton::longest(const Vector& step) const {
+  double longest = 0;
+  for (Eigen::Index i = 0; i < problem_.coordinates; i += 3) longest = std::max(longest, step.segment<3>(i).norm());
+  return longest;
+}
+
+Vector Newton::direction() const {
+  Vector step = solve(-gradient_);
+  const double length = longest(step);
+  if (length > options_.longest_step) step *= options_.longest_step / length;
+  return step;
+}
+
+double Newton::search(const Vector& step) {
+  const double slope = gradient_.dot(step);
+  if (!(slope < 0)) return 0;
+  const double noise = 1e-13 * std::abs(energy_);
+  for (double fraction = 1; fraction > 1e-4; fraction /= 2) {
+    const Vector trial = q_ + fraction * step;
+    const double energy = evaluate(trial, nullptr);
+    if (std::isfinite(energy) && energy <= energy_ + 1e-4 * fraction * slope + noise) {
+      q_ = trial;
+      return fraction;
+    }
+  }
+  return 0;
+}
+
+void Newton::settle() {
+  for (Form* form : problem_.forms) form->accept(q_);
+  energy_ = evaluate(q_, &gradient_);
+}
+
+void Newton::adapt(double fraction) {
+  if (fraction == 1) rate_ *= 0.4;
+  if (fraction < 0.3) rate_ *= fraction == 0 ? 10 : 3;
+  rate_ = std::max(rate_, 1e-9 * options_.rate);
+}
+
+NewtonOutcome Newton::run() {
+  NewtonOutcome outcome;
+  settle();
+  const double first = problem_.residual(gradient_, q_);
+  for (;; ++outcome.iterations) {
+    outcome.residual = problem_.residual(gradient_, q_);
+    outcome.converged = outcome.residual <= options_.tolerance;
+    outcome.cancelled = job_.is_cancelled();
+    if (outcome.converged || outcome.cancelled || outcome.iterations >= options_.max_iterations) break;
+    if (job_.report) {
+      const double way = std::log(std::max(first / options_.tolerance, 1 + 1e-9));
+      const double done = std::log(std::max(outcome.residual / options_.tolerance, 1.0));
+      job_.report({"draping", std::clamp(1 - done / way, 0.0, 1.0), outcome.iterations, outcome.residual});
+    }
+    if (!factorise()) {
+      rate_ *= 10;
+      if (rate_ > 1e12 * options_.rate) break;
+      continue;
+    }
+    const double fraction = search(direction());
+    if (fraction > 0) settle();
+    adapt(fraction);
+    if (rate_ > 1e12 * options_.rate) break;
+  }
+  outcome.rate = rate_;
+  return outcome;
+}
+
+}  // namespace
+
+NewtonOutcome newton(const NewtonProblem& problem, const NewtonOptions& options, const Job& job, Vector& q) {
+  return Newton(problem, options, job, q).run();
+}
+
+}  // namespace toile

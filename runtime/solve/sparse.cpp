@@ -1,0 +1,70 @@
+#include "runtime/solve/sparse.hpp"
+
+#include <algorithm>
+#include <utility>
+
+namespace toile {
+
+SparseMatrix::SparseMatrix(std::vector<int> reduced, const std::vector<std::vector<int>>& elements)
+    : reduced_(std::move(reduced)) {
+  int rows = 0;
+  for (const int r : reduced_) rows = std::max(rows, r + 1);
+  std::vector<std::vector<int>> columns(static_cast<std::size_t>(rows));
+  for (int r = 0; r < rows; ++r) columns[static_cast<std::size_t>(r)].push_back(r);
+  for (const std::vector<int>& element : elements) {
+    for (const int i : element) {
+      for (const int j : element) {
+        const int row = reduced_[static_cast<std::size_t>(i)], column = reduced_[static_cast<std::size_t>(j)];
+        if (column >= 0 && row > column) columns[static_cast<std::size_t>(column)].push_back(row);
+      }
+    }
+  }
+  column_start_.push_back(0);
+  for (std::vector<int>& column : columns) {
+    std::sort(column.begin(), column.end());
+    column.erase(std::unique(column.begin(), column.end()), column.end());
+    row_index_.insert(row_index_.end(), column.begin(), column.end());
+    column_start_.push_back(static_cast<int>(row_index_.size()));
+  }
+  values_.assign(row_index_.size(), 0.0);
+}
+
+void SparseMatrix::set_zero() {
+  std::fill(values_.begin(), values_.end(), 0.0);
+}
+
+std::int32_t SparseMatrix::find(int row, int column) const {
+  if (row < column) std::swap(row, column);
+  const auto begin = row_index_.begin() + column_start_[static_cast<std::size_t>(column)];
+  const auto end = row_index_.begin() + column_start_[static_cast<std::size_t>(column) + 1];
+  return static_cast<std::int32_t>(std::lower_bound(begin, end, row) - row_index_.begin());
+}
+
+void SparseMatrix::add(int i, int j, double value) {
+  const int row = reduced_[static_cast<std::size_t>(i)], column = reduced_[static_cast<std::size_t>(j)];
+  if (row < 0 || column < 0) return;
+  values_[static_cast<std::size_t>(find(row, column))] += value;
+}
+
+void SparseMatrix::add_diagonal(std::span<const double> diagonal, double factor) {
+  for (std::size_t i = 0; i < reduced_.size(); ++i) {
+    const int row = reduced_[i];
+    if (row >= 0)
+      values_[static_cast<std::size_t>(column_start_[static_cast<std::size_t>(row)])] += factor * diagonal[i];
+  }
+}
+
+std::vector<std::int32_t> SparseMatrix::places(const std::vector<int>& element) const {
+  std::vector<std::int32_t> places;
+  places.reserve(element.size() * (element.size() + 1) / 2);
+  for (std::size_t i = 0; i < element.size(); ++i) {
+    for (std::size_t j = 0; j <= i; ++j) {
+      const int row = reduced_[static_cast<std::size_t>(element[i])];
+      const int column = reduced_[static_cast<std::size_t>(element[j])];
+      places.push_back(row < 0 || column < 0 ? -1 : find(row, column));
+    }
+  }
+  return places;
+}
+
+}  // namespace toile

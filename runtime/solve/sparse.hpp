@@ -1,0 +1,67 @@
+// A symmetric sparse matrix whose pattern is fixed once, its assembly from elements, and its Cholesky factor.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "runtime/energy/vector.hpp"
+
+namespace toile {
+
+/// Lower triangle by compressed columns. Unknowns that are held have no row: `reduced[i]` is -1 for them.
+class SparseMatrix {
+ public:
+  /// `elements`: the unknowns (before reduction) that each element couples.
+  SparseMatrix(std::vector<int> reduced, const std::vector<std::vector<int>>& elements);
+
+  int rows() const { return static_cast<int>(column_start_.size()) - 1; }
+  const std::vector<int>& reduced() const { return reduced_; }
+  const std::vector<int>& column_start() const { return column_start_; }
+  const std::vector<int>& row_index() const { return row_index_; }
+  const std::vector<double>& values() const { return values_; }
+
+  void set_zero();
+  /// Adds to entry (i, j) and by symmetry (j, i), unknowns before reduction, i == j once. The entry must be in the
+  /// pattern.
+  void add(int i, int j, double value);
+  void add_diagonal(std::span<const double> diagonal, double factor);  // of all unknowns
+
+  /// Places of an element's lower triangle (row-wise, i >= j in the element's order) in `values`, -1 for held ones.
+  std::vector<std::int32_t> places(const std::vector<int>& element) const;
+  void add_at(std::int32_t place, double value) { values_[static_cast<std::size_t>(place)] += value; }
+  double diagonal(int row) const {
+    return values_[static_cast<std::size_t>(column_start_[static_cast<std::size_t>(row)])];
+  }
+
+ private:
+  std::int32_t find(int row, int column) const;
+
+  std::vector<int> reduced_;
+  std::vector<int> column_start_;
+  std::vector<int> row_index_;
+  std::vector<double> values_;
+};
+
+/// Supernodal sparse Cholesky (CHOLMOD); the ordering is found once for a pattern.
+class Cholesky {
+ public:
+  Cholesky();
+  ~Cholesky();
+  Cholesky(const Cholesky&) = delete;
+  Cholesky& operator=(const Cholesky&) = delete;
+
+  void analyse(const SparseMatrix& matrix);
+  /// False when the matrix is not positive definite.
+  bool factorise(const SparseMatrix& matrix);
+  Vector solve(const Vector& right) const;
+  int factorisations() const { return factorisations_; }
+
+ private:
+  struct Handle;
+  std::unique_ptr<Handle> handle_;
+  int factorisations_ = 0;
+};
+
+}  // namespace toile

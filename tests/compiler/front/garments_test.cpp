@@ -1,0 +1,171 @@
+// Pieces walked edge by edge, variations, seams and worn lines.
+#include <gmock/gmock.h>
+
+#include "tests/compiler/front/front.hpp"
+
+namespace toile::test {
+namespace {
+
+using testing::AllOf;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::SizeIs;
+using testing::StartsWith;
+
+/// A garment of one piece `p`, whose braces hold `lines`.
+std::string with_piece(const std::string& lines, const std::string& rest = "") {
+  return "garment g {\n  piece p {\n" + lines + "  }\n" + rest + "}\n";
+}
+
+const std::string square =
+    "    outline from (0cm, 0cm) {\n      south = line to (10cm, 0cm)\n      east = line to (10cm, 10cm)\n"
+    "      north = line to (0cm, 10cm)\n      west = line to start\n    }\n";
+
+TEST(Walks, EveryKindOfEdge) {
+  Script script("let hull = curve((20cm, 10cm), (10cm, 20cm), arriving: 180deg)\n" +
+                with_piece("    outline from (0cm, 0cm) {\n"
+                           "      a = curve to (10cm, 0cm) leaving 20deg\n"
+                           "      b = arc to (20cm, 10cm) through (18cm, 2cm)\n"
+                           "      c = along hull\n"
+                           "      d = bezier to (0cm, 20cm) via (8cm, 21cm), (3cm, 21cm)\n"
+                           "      e = arc to (0cm, 10cm) radius 30cm\n"
+                           "      f = curve to start\n"
+                           "    }\n"
+                           "    hole eye from (12cm, 10cm) {\n      rim = circle about (10cm, 10cm)\n    }\n") +
+                "print length(g.p.f), g.p.a.end, length(g.p.a)\n");
+  ASSERT_THAT(script.told(), IsEmpty()) << script.rendered();
+  // A single direction bends the edge like a circular arc: chord 10 cm, 20 degrees off: 10 cm * 20deg / sin(20deg).
+  EXPECT_THAT(script.printed(), ElementsAre("10 cm (10 cm, 0 cm) 10.2062 cm"));
+  EXPECT_THAT(script.program->garments().at(0).pieces.at(0).holes, SizeIs(1));
+}
+
+TEST(Walks, EdgesAreCurvesForLaterLines) {
+  Script script(with_piece("    let half = length(south) / 2\n" + square + "    notch at half of south\n") +
+                "print g.p.half\n");
+  EXPECT_THAT(script.told(), IsEmpty());
+  EXPECT_THAT(script.printed(), ElementsAre("5 cm"));
+  EXPECT_DOUBLE_EQ(script.program->garments().at(0).pieces.at(0).notches.at(0).at, 0.05);
+}
+
+TEST(Walks, AnEdgeYieldsToAMeasureOfItsName) {
+  const Script script("let south = 10cm\n" +
+                      with_piece("    let whole = length(south) + south\n    outline from (0cm, 0cm) {\n"
+                                 "      south = line to (south, 0cm)\n      rest = line to (south, 10cm)\n"
+                                 "      back = line to start\n    }\n"));
+  EXPECT_THAT(script.told(), IsEmpty()) << script.rendered();
+}
+
+TEST(Walks, CurvesThatCannotBeDrawn) {
+  const Script script(with_piece(
+      "    outline from (0cm, 0cm) {\n      a = arc to (10cm, 0cm) through (5cm, 0cm)\n      b = line to start\n    "
+      "}\n",
+      "  piece q {\n    outline from (0cm, 0cm) {\n      a = arc to (10cm, 0cm) radius 3cm\n      b = line to start\n"
+      "    }\n  }\n"
+      "  piece r {\n    outline from (0cm, 0cm) {\n      a = along line((1cm, 0cm), (2cm, 0cm))\n      b = line to "
+      "3cm\n"
+      "    }\n  }\n"));
+  EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("E0209 4:37"), HasSubstr("on a line")),
+                                         AllOf(StartsWith("E0209 10:36"), HasSubstr("does not span")),
+                                         AllOf(StartsWith("E0209 16:17"), HasSubstr("1 cm away from the pen"))));
+}
+
+TEST(Pieces, FoldGrainCutAndAllowance) {
+  const Script script(
+      with_piece(square + "    cut 2 mirrored\n    grain bias\n    allowance 1cm, north 4cm\n    label \"Pocket\"\n",
+                 "  sew p.east to p.west\n"));
+  ASSERT_THAT(script.told(), IsEmpty()) << script.rendered();
+  const Garment& garment = script.program->garments().at(0);
+  ASSERT_THAT(garment.pieces, SizeIs(2));
+  EXPECT_NEAR(garment.pieces[0].warp.x, std::sqrt(0.5), 1e-12);
+  double widest = 0;
+  for (const PieceEdge& edge : garment.pieces[0].edges) widest = std::max(widest, edge.allowance);
+  EXPECT_DOUBLE_EQ(widest, 0.04);
+}
+
+TEST(Pieces, WhatIsSaidOfThemIsChecked) {
+  const Script script(with_piece(square + "    fold wets\n"
+                                          "    notch at 12cm of south\n"
+                                          "    notch at 120% of south\n"
+                                          "    dart at 50% of north { width -1cm, deep 3cm }\n"
+                                          "    cut 3 mirrored\n"
+                                          "    grain 3cm\n"
+                                          "    allowance -1cm, hem 2cm\n"));
+  EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("E0308 9:10"), HasSubstr("no edge `wets`")),
+                                         AllOf(StartsWith("E0209 10:14"), HasSubstr("12 cm is beyond")),
+                                         StartsWith("E0209 11:14"), StartsWith("E0310 12:5"), StartsWith("E0208 12:34"),
+                                         StartsWith("E0103 12:40"), StartsWith("E0209 13:5"), StartsWith("E0201 14:11"),
+                                         StartsWith("E0208 15:15"), StartsWith("E0308 15:21")));
+  EXPECT_THAT(script.rendered(), HasSubstr("did you mean `west`?"));
+}
+
+TEST(Pieces, VariationsReplaceByName) {
+  Script script(
+      "garment g {\n  piece front {\n    let w = 10cm\n    let h = 2 * w\n    outline from (0cm, 0cm) {\n"
+      "      waist = line to (w, 0cm)\n      side = line to (w, -h)\n      hem = line to (0cm, -h)\n"
+      "      centre = line to start\n    }\n    fold centre\n"
+      "    dart at 50% of waist { width 1cm, depth 3cm }\n  }\n"
+      "  piece back = front with {\n    let w = 12cm\n    let h = 20cm\n"
+      "    outline {\n      waist = curve to (w, 1cm) leaving 0deg\n    }\n"
+      "    dart at 40% of waist { width 2cm, depth 4cm }\n  }\n  sew front.side to back.side stretch\n}\n"
+      "print length(g.back.hem), length(g.back.side), length(g.front.side)\n");
+  ASSERT_THAT(script.told(), IsEmpty()) << script.rendered();
+  EXPECT_THAT(script.printed(), ElementsAre("12 cm 21 cm 20 cm"));
+  EXPECT_THAT(script.program->garments().at(0).pieces.at(1).darts, SizeIs(2));  // both halves
+  EXPECT_DOUBLE_EQ(script.program->garments().at(0).pieces.at(1).darts.at(0).width, 0.02);
+}
+
+TEST(Pieces, VariationsOfNothingAndOfThemselves) {
+  const Script script(
+      "garment g {\n  piece a = b with {\n  }\n  piece b = a with {\n  }\n  piece c = d with {\n    fold x\n  }\n}\n");
+  EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("E0106 4:13")), AllOf(StartsWith("E0101 6:13"))));
+}
+
+TEST(Sewing, UnknownPiecesEdgesAndSides) {
+  const Script script(with_piece(square,
+                                 "  sew p.esat to q.west\n"
+                                 "  sew p.north.mirored to p.south\n"
+                                 "  wear p.north at 3cm\n"));
+  EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("E0308 10:9"), HasSubstr("no edge `esat`")),
+                                         AllOf(StartsWith("E0309 10:17"), HasSubstr("no piece `q`")),
+                                         StartsWith("E0103 11:15"), StartsWith("E0201 12:19")));
+}
+
+TEST(Sewing, LengthsThatDiffer) {
+  const std::string pieces =
+      "    outline from (0cm, 0cm) {\n      a = line to (10cm, 0cm)\n      b = line to (10cm, 10cm)\n"
+      "      c = line to (2cm, 10cm)\n      d = line to start\n    }\n";
+  EXPECT_THAT(Script(with_piece(pieces, "  sew p.a to p.c\n")).told(),
+              ElementsAre(AllOf(StartsWith("E0316 10:3"), HasSubstr("2 cm"))));
+  EXPECT_THAT(Script(with_piece(pieces, "  sew p.a to p.c ease 2cm\n")).told(), IsEmpty());
+  EXPECT_THAT(Script(with_piece(pieces, "  sew p.a to p.c ease 1cm\n")).told(), ElementsAre(StartsWith("E0316 10:3")));
+}
+
+TEST(Sewing, GeometryIsCheckedOnSoundGarmentsOfTheSameScript) {
+  const Script script(with_piece("    outline from (0cm, 0cm) {\n      a = line to (x, 0cm)\n    }\n") +
+                      "garment h {\n  piece q {\n    outline from (0cm, 0cm) {\n      a = line to (10cm, 0cm)\n"
+                      "      b = line to (10cm, 5cm)\n    }\n  }\n}\n");
+  EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0101 4:20"), StartsWith("E0301 12:7")));
+}
+
+TEST(Garments, HaveParametersAndDefaults) {
+  Script script(
+      "garment strip(width = 10cm) {\n  let shown = 2 * width\n  piece p {\n    outline from (0cm, 0cm) {\n"
+      "      a = line to (width, 0cm)\n      b = line to (width, 5cm)\n      c = line to start\n    }\n  }\n}\n"
+      "let wide = strip(width: 20cm)\nprint wide.shown\nexport wide to \"wide.svg\"\nexport strip to \"strip.json\"\n");
+  ASSERT_THAT(script.told(), IsEmpty()) << script.rendered();
+  EXPECT_THAT(script.program->garments(), SizeIs(2));
+  EXPECT_THAT(script.printed(), ElementsAre("40 cm"));
+}
+
+TEST(Garments, TheirOwnParamsAreSet) {
+  Script script(
+      "garment g {\n  param w = 10cm in 5cm..20cm\n  piece p {\n    outline from (0cm, 0cm) {\n"
+      "      a = line to (w, 0cm)\n      b = line to (w, 5cm)\n      c = line to start\n    }\n  }\n}\n"
+      "print g.w\n",
+      {{"g.w", "12cm"}});
+  EXPECT_THAT(script.printed(), ElementsAre("12 cm"));
+}
+
+}  // namespace
+}  // namespace toile::test

@@ -1,0 +1,52 @@
+// Every example, as its README has it run: it comes to rest, writes what it says and finds what it expects.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <map>
+
+#include "tests/e2e/call.hpp"
+
+namespace toile {
+namespace {
+
+const std::map<std::string, std::vector<std::string>> examples{
+    {"flared_skirt", {"skirt.svg", "skirt.png", "strain.png", "skirt.glb", "skirt.report.json"}},
+    {"tight_skirt", {"skirt.svg", "skirt.png", "pressure.png", "skirt.report.json"}},
+    {"cape", {"cape.svg", "cape.png", "cape.report.json"}},
+    {"cloth_on_sphere", {"cloth.png", "cloth.report.json"}},
+    {"drape_test", {"above.png", "drape_test.report.json"}},
+    {"torus", {"torus.svg", "torus.png", "torus.report.json"}},
+};
+
+class Example : public testing::TestWithParam<std::string> {};
+
+TEST_P(Example, RunsAndExpectsRightly) {
+  const CommandLine call;
+  const std::string script = fmt::format("{0}/examples/{1}/{1}.toile", TOILE_SOURCE_DIR, GetParam());
+  const Called ran = call.toile(fmt::format("run '{}' --out out", script));
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+  for (const std::string& file : examples.at(GetParam())) {
+    EXPECT_TRUE(std::filesystem::is_regular_file(call.scratch / ("out/" + file))) << file;
+  }
+}
+
+TEST(Examples, AreAllTested) {
+  std::vector<std::string> found, tested;
+  for (const auto& entry : std::filesystem::directory_iterator(std::string(TOILE_SOURCE_DIR) + "/examples")) {
+    if (entry.is_directory()) found.push_back(entry.path().filename().string());
+  }
+  for (const auto& [name, files] : examples) tested.push_back(name);
+  EXPECT_THAT(found, testing::UnorderedElementsAreArray(tested));
+}
+
+std::vector<std::string> names() {
+  std::vector<std::string> all;
+  for (const auto& [name, files] : examples) all.push_back(name);
+  return all;
+}
+
+INSTANTIATE_TEST_SUITE_P(Of, Example, testing::ValuesIn(names()),
+                         [](const testing::TestParamInfo<std::string>& info) { return info.param; });
+
+}  // namespace
+}  // namespace toile

@@ -1,0 +1,59 @@
+// The pattern as JSON: what stands in it is what the garment says, in metres.
+#include <gtest/gtest.h>
+
+#include <cmath>
+#include <nlohmann/json.hpp>
+
+#include "runtime/export/export.hpp"
+#include "tests/compiler/pattern/drafting.hpp"
+
+namespace toile {
+namespace {
+
+using namespace toile::testing;
+using Json = nlohmann::json;
+
+TEST(PatternJson, HoldsPiecesSeamsAndWornLines) {
+  const Garment skirt = make(flared_skirt()).garment;
+  const Json json = Json::parse(pattern_json(skirt));
+  EXPECT_EQ(json["garment"], skirt.name);
+  ASSERT_EQ(json["pieces"].size(), 2u);
+  const Json& front = json["pieces"][0];
+  EXPECT_EQ(front["edges"].size(), skirt.pieces[0].edges.size());
+  EXPECT_EQ(front["darts"].size(), 2u);
+  EXPECT_EQ(front["notches"].size(), 4u);
+  EXPECT_EQ(front["fold_m"].size(), 2u);
+  ASSERT_EQ(json["seams"].size(), 6u);
+  EXPECT_TRUE(json["seams"][0]["dart"]);
+  const Json& side = json["seams"][4];
+  EXPECT_EQ(side["name"], "front.side to back.side.mirrored");
+  EXPECT_NEAR(side["first"]["length_m"], std::hypot(0.14, 0.612), 1e-9);
+  EXPECT_NEAR(side["second"]["length_m"], std::hypot(0.14, 0.612), 1e-9);
+  EXPECT_FALSE(side["second"]["links"][0]["forward"]);
+  EXPECT_EQ(json["wears"][0]["line"], "waist");
+  EXPECT_EQ(json["wears"][0]["chain"]["links"].size(), 8u);
+}
+
+TEST(PatternJson, KeepsCurvesExactAndAreasWithoutHoles) {
+  DraftPiece disc;
+  disc.name = "disc";
+  disc.outline = {edge("rim", circle({0, 0}, {0.2, 0}))};
+  disc.holes = {{"eye", {edge("eye_rim", circle({0, 0}, {0.1, 0}))}, next_place()}};
+  const Json piece = Json::parse(pattern_json(make(garment({disc})).garment))["pieces"][0];
+  const double pi = 3.14159265358979;
+  EXPECT_NEAR(piece["area_m2"], pi * (0.04 - 0.01), 1e-9);
+  const Json& arc = piece["edges"][0]["segments"][0];
+  EXPECT_EQ(arc["kind"], "arc");
+  EXPECT_EQ(arc["radius_m"], 0.2);
+  EXPECT_NEAR(arc["sweep_rad"], 2 * pi, 1e-9);
+  EXPECT_NEAR(piece["holes"][0][0]["segments"][0]["sweep_rad"], -2 * pi, 1e-9);
+}
+
+TEST(PatternJson, SameGarmentSameBytes) {
+  const DraftGarment draft = flared_skirt();
+  EXPECT_EQ(pattern_json(make(draft).garment), pattern_json(make(draft).garment));
+  EXPECT_EQ(pattern_svg(make(draft).garment), pattern_svg(make(draft).garment));
+}
+
+}  // namespace
+}  // namespace toile
