@@ -44,7 +44,7 @@ std::optional<std::string> nearest(std::string_view name, const std::vector<std:
   for (const std::string& candidate : candidates) {
     if (candidate.size() > longest_compared || candidate == name) continue;
     const int distance = edit_distance(name, candidate);
-    const int allowed = std::max<int>(1, static_cast<int>(std::max(name.size(), candidate.size())) / 3);
+    const int allowed = std::max<int>(1, static_cast<int>(std::max(name.size(), candidate.size()) + 1) / 3);
     if (distance > allowed || (best && distance >= best_distance)) continue;
     best = candidate;
     best_distance = distance;

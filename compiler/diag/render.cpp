@@ -131,14 +131,16 @@ class ExcerptPrinter {
     }
   }
 
-  /// Which underline is seen in each column: where they overlap the shorter one lies above.
+  /// Which underline is seen in each column: where they overlap the shorter one lies above, of equals
+  /// the primary one.
   static std::vector<const Underline*> painted(const std::vector<Underline>& all) {
     std::vector<const Underline*> columns;
     for (const Underline& underline : all) {
       if (static_cast<int>(columns.size()) < underline.end) columns.resize(static_cast<std::size_t>(underline.end));
       for (int column = underline.begin; column < underline.end; ++column) {
         const Underline*& seen = columns[static_cast<std::size_t>(column)];
-        if (seen == nullptr || underline.end - underline.begin <= seen->end - seen->begin) seen = &underline;
+        const auto rank = [](const Underline& u) { return std::tuple(u.end - u.begin, u.primary ? 0 : 1); };
+        if (seen == nullptr || rank(underline) < rank(*seen)) seen = &underline;
       }
     }
     return columns;

@@ -116,10 +116,7 @@ void define_let(Session& session, Scope& scope, const syntax::Let& written) {
 void define_function(Session& session, Scope& scope, const syntax::Fn& written) {
   session.functions.push_back({written, &scope});
   const FunctionRef function = &session.functions.back();
-  define(session, scope, written.name(), [&session, function]() -> Value {
-    check_function(session, *function);
-    return function;
-  });
+  define(session, scope, written.name(), [function]() -> Value { return function; });
 }
 
 void define_param(Session& session, Scope& scope, const syntax::Param& written, const std::string& prefix) {
@@ -157,6 +154,12 @@ void define_module(Session& session, Module& module) {
 
 void check_module(Session& session, Module& module) {
   for (const auto& definition : module.scope->definitions()) force(session, *definition);
+}
+
+void check_functions(Session& session) {
+  for (const UserFunction& function : session.functions) {
+    if (!function.scope->module().from_stdlib) check_function(session, function);
+  }
 }
 
 void report_unused_settings(Session& session) {

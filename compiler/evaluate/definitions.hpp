@@ -18,6 +18,9 @@ void define_module(Session& session, Module& module);
 /// Evaluates all that the module defines, so that every mistake is found whether or not a command comes by.
 void check_module(Session& session, Module& module);
 
+/// Evaluates in supposition the functions of all modules, whether or not anything calls them.
+void check_functions(Session& session);
+
 /// Settings that no param has taken.
 void report_unused_settings(Session& session);
 

@@ -16,8 +16,8 @@ namespace {
 
 using syntax::Kind;
 
-constexpr int deepest = 1000;           // expressions inside of expressions, definitions and calls included
-constexpr long most_steps = 5'000'000;  // expressions evaluated in all
+constexpr int deepest = 1000;         // expressions inside of expressions, definitions and calls included
+constexpr long most_steps = 500'000;  // expressions evaluated in all
 constexpr std::size_t longest_list = 10'000;
 
 /// One expression being evaluated; keeps count of depth and steps.

@@ -182,21 +182,24 @@ class FabricReader {
   }
 
   void check_whole() {
-    if (!module_.broken(written_.span())) {
-      missing(!sheet_.weight && !seen_.contains("W"), "weight", "W 19.2 mg/cm^2");
-      missing(!sheet_.b && !seen_.contains("B"), "bending stiffness", "B 0.07 gf*cm^2/cm, 0.06 gf*cm^2/cm");
+    const bool no_weight = !sheet_.weight && !seen_.contains("W");
+    const bool no_bending = !sheet_.b && !seen_.contains("B");
+    if (no_weight || no_bending) {
+      sound_ = false;
+      if (!module_.broken(written_.span())) report_missing(no_weight, no_bending);
     }
     if (sound_ && sheet_.lt && sheet_.wt && sheet_.emt) check_tensile();
   }
 
-  void missing(bool is_missing, std::string_view what, std::string_view example) {
-    if (!is_missing) return;
-    sound_ = false;
+  void report_missing(bool no_weight, bool no_bending) {
     const auto name = written_.name();
-    session_.report.add(
-        Problem("E0401", fmt::format("fabric `{}` has no {} (row {})", sheet_.name, what, example.substr(0, 1)))
-            .at(name ? module_.at(*name) : module_.at(written_))
-            .help(fmt::format("add a row like `{}`", example)));
+    const std::string missing = no_weight && no_bending ? "no weight (row W) and no bending stiffness (row B)"
+                                : no_weight             ? "no weight (row W)"
+                                                        : "no bending stiffness (row B)";
+    session_.report.add(Problem("E0401", fmt::format("fabric `{}` has {}", sheet_.name, missing))
+                            .at(name ? module_.at(*name) : module_.at(written_))
+                            .help(no_weight ? "add a row like `W 19.2 mg/cm^2`"
+                                            : "add a row like `B 0.07 gf*cm^2/cm, 0.06 gf*cm^2/cm`"));
   }
 
   /// WT = LT * Fm * EMT / 2: the work under the curve is what its linearity says.

@@ -103,7 +103,7 @@ class PieceDrafter {
 
   /// The drawn edge of that name; null with an error when there is none, null alone when its curve is not sound.
   const DraftEdge* edge(const std::optional<syntax::Token>& token) {
-    if (!token) return nullptr;
+    if (!token || !piece_.plan.outline) return nullptr;
     const std::string name = session_.name_of(module_, token);
     for (const DraftEdge& each : draft_.outline) {
       if (each.name == name) return &each;

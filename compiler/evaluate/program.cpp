@@ -24,6 +24,7 @@ class LoadedProgram final : public Program {
     for (std::size_t i = 0; i < session_.modules.size(); ++i) {
       if (!session_.modules[i]->from_stdlib) check_module(session_, *session_.modules[i]);
     }
+    check_functions(session_);
     enter_bodies(script);
     report_unused_settings(session_);
     commands_.check();

@@ -11,6 +11,7 @@
 #include <queue>
 #include <tuple>
 
+#include "compiler/pmesh/crossing_sides.hpp"
 #include "compiler/pmesh/refinement_rules.hpp"
 
 namespace toile {
@@ -101,7 +102,9 @@ class Refinement {
         try {
           cdt_.insert_constraint(a, b);
         } catch (const Cdt::Intersection_of_constraints_exception&) {
-          if (outline_ == Outline::MayAsk) want_crossing_sides(l, i);
+          if (outline_ == Outline::Frozen) continue;
+          const auto splits = crossing_sides(loops_, l, i);
+          wanted_.insert(wanted_.end(), splits.begin(), splits.end());
         }
       }
     }
@@ -109,25 +112,6 @@ class Refinement {
 
   void insert_pins() {
     for (const Vec2 pin : pins_) node_of_pin_.push_back(insert_node(pin, {}, {})->info().id);
-  }
-
-  /// Two chords of neighbouring curves cross where the curves do not: both get a node in the middle.
-  void want_crossing_sides(int loop, int side) {
-    const auto ends = [&](int l, int i) {
-      const auto& nodes = loops_[l];
-      const Vec2 a = nodes[i], b = nodes[(i + 1) % nodes.size()];
-      return Kernel::Segment_2(Point(a.x, a.y), Point(b.x, b.y));
-    };
-    const Kernel::Segment_2 mine = ends(loop, side);
-    for (int l = 0; l < static_cast<int>(loops_.size()); ++l) {
-      for (int i = 0; i < static_cast<int>(loops_[l].size()); ++i) {
-        if (l == loop && i == side) continue;
-        const Kernel::Segment_2 other = ends(l, i);
-        const bool joined = mine.source() == other.target() || mine.target() == other.source();
-        if (!joined && CGAL::do_intersect(mine, other)) wanted_.push_back({l, i, 0.5});
-      }
-    }
-    wanted_.push_back({loop, side, 0.5});
   }
 
   void mark_inside() {

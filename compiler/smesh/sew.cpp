@@ -1,5 +1,3 @@
-#include <cmath>
-
 #include "compiler/pmesh/mesher.hpp"
 #include "compiler/smesh/glue.hpp"
 #include "compiler/smesh/smesh.hpp"

@@ -65,7 +65,8 @@ struct SewnMesh {
 
 /// Meshes and sews; where sewing would break the strict simplicial complex (an edge glued onto itself, two triangles or
 /// two edges with the same vertices, a triangle with a repeated vertex) the outline is divided more finely there and
-/// meshed again.
+/// meshed again. Nodes are added about the tips of cones, where no fineness would help. After 16 rounds, which no
+/// garment of the tests needs, the mesh is handed over as it is.
 SewnMesh sew(const Garment& garment, const PMeshOptions& options);
 
 std::string emit(const SMesh& mesh, const Garment& garment);

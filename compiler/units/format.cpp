@@ -52,14 +52,15 @@ std::string format_number(double value, int digits) {
 
 std::string format_quantity(double si, Dimension dim, bool percent) {
   if (dim.plain()) return percent ? format_number(si * 100) + " %" : format_number(si);
+  // What lies below a tenth of a nanometre is rounding.
+  if (dim == dimension::length && std::abs(si) < 1e-10) return "0 cm";
   for (const Preference& preference : preferences()) {
     if (preference.dimension != dim) continue;
     const double size = std::abs(si);
     for (const Choice& choice : preference.choices) {
-      // A hair below the bound still belongs above it: 9.9999999 mm reads as 1 cm. Zero takes the first unit in use.
+      // A hair below the bound still belongs above it: 9.9999999 mm reads as 1 cm. Zero takes the first unit.
       const bool fits = size >= choice.from * (1 - 1e-6);
       if (!fits && size != 0) continue;
-      if (size == 0 && dim == dimension::length) return "0 cm";
       return format_number(si / choice.factor) + " " + std::string(choice.symbol);
     }
   }

@@ -1,7 +1,7 @@
 #include "runtime/body/fairing.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
+#include <cmath>
 
 namespace toile {
 namespace {
@@ -21,48 +21,70 @@ std::vector<std::vector<int>> neighbours_of(const Body::Surface& surface) {
   return neighbours;
 }
 
+// The umbrellas that free vertices have a part in: those of free vertices and of their neighbours.
+class Umbrellas {
+ public:
+  Umbrellas(const Body::Surface& surface, const std::vector<bool>& free)
+      : neighbours_(neighbours_of(surface)), free_(free) {
+    for (int v = 0; v < static_cast<int>(free.size()); ++v) {
+      const auto& around = neighbours_[v];
+      if (free[v] || std::any_of(around.begin(), around.end(), [&](int w) { return free[w]; })) concerned_.push_back(v);
+    }
+  }
+
+  /// Half the gradient of the sum of squares of the umbrella vectors of `x`, on the free vertices.
+  std::vector<Vec3> gradient(const std::vector<Vec3>& x) const {
+    std::vector<Vec3> result(x.size());
+    for (const int v : concerned_) {
+      const auto& around = neighbours_[v];
+      const double weight = 1 / static_cast<double>(around.size());
+      Vec3 umbrella = -x[v];
+      for (const int w : around) umbrella += weight * x[w];
+      result[v] += -umbrella;
+      for (const int w : around) result[w] += weight * umbrella;
+    }
+    for (std::size_t v = 0; v < x.size(); ++v) {
+      if (!free_[v]) result[v] = {};
+    }
+    return result;
+  }
+
+ private:
+  std::vector<std::vector<int>> neighbours_;
+  const std::vector<bool>& free_;
+  std::vector<int> concerned_;
+};
+
+double dot(const std::vector<Vec3>& a, const std::vector<Vec3>& b) {
+  double sum = 0;
+  for (std::size_t i = 0; i < a.size(); ++i) sum += dot(a[i], b[i]);
+  return sum;
+}
+
 }  // namespace
 
+// Conjugate gradients: a few hundred unknowns, so a few hundred steps.
 void fair(Body::Surface& surface, const std::vector<bool>& free) {
-  const auto neighbours = neighbours_of(surface);
-  const int n = static_cast<int>(surface.points.size());
-  std::vector<int> unknown(surface.points.size(), -1);
-  int unknowns = 0;
-  for (int i = 0; i < n; ++i) {
-    if (free[i]) unknown[i] = unknowns++;
-  }
-  if (unknowns == 0) return;
-
-  // One row an umbrella that a free vertex has a part in: A x = b with the fixed vertices on the right.
-  std::vector<Eigen::Triplet<double>> entries;
-  std::vector<Eigen::RowVector3d> constants;
-  for (int i = 0; i < n; ++i) {
-    const auto& around = neighbours[i];
-    const bool concerned = free[i] || std::any_of(around.begin(), around.end(), [&](int j) { return free[j]; });
-    if (!concerned) continue;
-    const int row = static_cast<int>(constants.size());
-    constants.emplace_back(Eigen::RowVector3d::Zero());
-    const auto add = [&](int j, double weight) {
-      const Vec3 p = surface.points[j];
-      if (free[j])
-        entries.emplace_back(row, unknown[j], weight);
-      else
-        constants.back() -= weight * Eigen::RowVector3d(p.x, p.y, p.z);
-    };
-    add(i, -1);
-    for (const int j : around) add(j, 1.0 / static_cast<double>(around.size()));
-  }
-  Eigen::SparseMatrix<double> a(static_cast<int>(constants.size()), unknowns);
-  a.setFromTriplets(entries.begin(), entries.end());
-  Eigen::MatrixX3d b(static_cast<int>(constants.size()), 3);
-  for (int row = 0; row < b.rows(); ++row) b.row(row) = constants[row];
-
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(a.transpose() * a);
-  if (factor.info() != Eigen::Success) return;
-  const Eigen::MatrixX3d x = factor.solve(a.transpose() * b);
-  if (!x.allFinite()) return;
-  for (int i = 0; i < n; ++i) {
-    if (free[i]) surface.points[i] = {x(unknown[i], 0), x(unknown[i], 1), x(unknown[i], 2)};
+  constexpr int most_steps = 3000;
+  constexpr double accuracy = 1e-20;  // of the squared residual
+  const Umbrellas umbrellas(surface, free);
+  std::vector<Vec3> residual = umbrellas.gradient(surface.points);
+  for (Vec3& r : residual) r = -r;
+  std::vector<Vec3> direction = residual;
+  double squared = dot(residual, residual);
+  const double enough = accuracy * squared;
+  for (int step = 0; step < most_steps && squared > enough; ++step) {
+    const std::vector<Vec3> image = umbrellas.gradient(direction);
+    const double curvature = dot(direction, image);
+    if (!(curvature > 0)) return;
+    const double length = squared / curvature;
+    for (std::size_t v = 0; v < free.size(); ++v) {
+      surface.points[v] += length * direction[v];
+      residual[v] += -length * image[v];
+    }
+    const double next = dot(residual, residual);
+    for (std::size_t v = 0; v < free.size(); ++v) direction[v] = residual[v] + next / squared * direction[v];
+    squared = next;
   }
 }
 

@@ -14,7 +14,7 @@ Vec3 LimbFrame::up() const {
 std::vector<Vec3> limb_ring(const LimbFrame& frame, int count, double girth, double ratio) {
   std::vector<Vec3> ring;
   ring.reserve(static_cast<std::size_t>(count));
-  for (const Vec2 p : superellipse(count, girth, ratio, 2)) {
+  for (const Vec3& p : superellipse(count, girth, ratio, 2)) {
     ring.push_back(frame.centre + p.x * frame.up() + Vec3{0, p.y, 0});
   }
   return ring;

@@ -6,8 +6,6 @@
 #include <numbers>
 #include <vector>
 
-#include "compiler/curve/vec2.hpp"
-
 namespace toile {
 namespace {
 
@@ -97,10 +95,14 @@ class BoxMesh {
   Body::Surface surface_;
 };
 
-// The outline of a rounded cylinder from the middle of its top to that of its bottom: (distance from axis, height).
-std::vector<Vec2> cylinder_outline(const CylinderCore& core, double rounding) {
+// The outline of a rounded cylinder, from its top to its bottom.
+struct OutlinePoint {
+  double radius;
+  double height;
+};
+std::vector<OutlinePoint> cylinder_outline(const CylinderCore& core, double rounding) {
   constexpr int rounds = 6;
-  std::vector<Vec2> outline;
+  std::vector<OutlinePoint> outline;
   const int rings = divisions(core.radius, 2, 24);
   for (int i = 1; i < rings; ++i) outline.push_back({core.radius * i / rings, core.half_length + rounding});
   for (int i = 0; i <= rounds; ++i) {
@@ -113,24 +115,24 @@ std::vector<Vec2> cylinder_outline(const CylinderCore& core, double rounding) {
   }
   const int upper = static_cast<int>(outline.size());
   for (int i = upper - 1; i >= 0; --i) {
-    const Vec2 p = outline[i];
-    const bool is_own_image = rows == 0 ? i == upper - 1 : p.y < core.half_length - 1e-12;
-    if (!is_own_image) outline.push_back({p.x, -p.y});
+    const OutlinePoint p = outline[i];
+    const bool is_own_image = rows == 0 ? i == upper - 1 : p.height < core.half_length - 1e-12;
+    if (!is_own_image) outline.push_back({p.radius, -p.height});
   }
   return outline;
 }
 
 Body::Surface triangulate_cylinder(const RoundShape& shape, const CylinderCore& core) {
-  const std::vector<Vec2> outline = cylinder_outline(core, shape.rounding);
+  const std::vector<OutlinePoint> outline = cylinder_outline(core, shape.rounding);
   const int columns = divisions(2 * std::numbers::pi * core.radius, 48, 128);
   const auto place = [&](double x, double y, double height) {
     return shape.centre + (core.upright ? Vec3{x, y, height} : Vec3{height, x, y});
   };
   Body::Surface surface;
-  for (const Vec2 p : outline) {
+  for (const OutlinePoint p : outline) {
     for (int i = 0; i < columns; ++i) {
       const double angle = 2 * std::numbers::pi * i / columns;
-      surface.points.push_back(place(p.x * std::sin(angle), -p.x * std::cos(angle), p.y));
+      surface.points.push_back(place(p.radius * std::sin(angle), -p.radius * std::cos(angle), p.height));
     }
   }
   const int rows = static_cast<int>(outline.size());

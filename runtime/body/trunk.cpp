@@ -66,7 +66,7 @@ TrunkProfile::TrunkProfile(const std::vector<BodySection>& sections)
 std::vector<Vec3> TrunkProfile::ring(double level, int count) const {
   std::vector<Vec3> ring;
   ring.reserve(static_cast<std::size_t>(count));
-  for (const Vec2 p : superellipse(count, girth_.at(level), ratio_.at(level), squareness_.at(level))) {
+  for (const Vec3& p : superellipse(count, girth_.at(level), ratio_.at(level), squareness_.at(level))) {
     ring.push_back({p.x, p.y - forward_.at(level), level});
   }
   return ring;

@@ -5,7 +5,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "runtime/field/field.hpp"
+#include "runtime/drape/spread.hpp"
 
 namespace toile {
 namespace {

@@ -9,7 +9,7 @@ namespace toile {
 namespace {
 
 constexpr double coarse_accuracy = 1e-2;  // of every level but the last
-constexpr int coarsest_triangles = 450;
+constexpr int coarsest_triangles = 250;
 constexpr int ratio = 4;  // of the triangles of neighbouring levels
 
 std::vector<Worn> worn_lines(const SewnMesh& mesh, const std::vector<Wear>& wears) {
@@ -27,11 +27,14 @@ double seconds() {
 
 }  // namespace
 
-std::vector<int> level_sizes(int triangles) {
-  std::vector<int> sizes{triangles};
-  while (sizes.back() > 2 * coarsest_triangles) sizes.push_back(std::max(sizes.back() / ratio, coarsest_triangles));
-  std::reverse(sizes.begin(), sizes.end());
-  return sizes;
+std::vector<double> level_edges(double finest_edge, int triangles) {
+  std::vector<double> edges;
+  // Halving the edge makes four triangles of one.
+  for (int left = triangles / ratio; left >= coarsest_triangles; left /= ratio) {
+    edges.push_back((edges.empty() ? finest_edge : edges.back()) * 2);
+  }
+  std::reverse(edges.begin(), edges.end());
+  return edges;
 }
 
 DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,

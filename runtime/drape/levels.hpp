@@ -24,7 +24,7 @@ struct DrapedLevels {
 DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
                           const FabricSheet& fabric, const Body* body, const DrapeOptions& options, const Job& job);
 
-/// How many triangles to mesh a garment with, coarse first, so that the last has about `triangles`.
-std::vector<int> level_sizes(int triangles);
+/// Target edges [m] of the coarser levels below a mesh of so many triangles, the coarsest first; none for a small mesh.
+std::vector<double> level_edges(double finest_edge, int triangles);
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <vector>
 
 #include "compiler/pattern/pattern.hpp"
 #include "compiler/smesh/smesh.hpp"
@@ -17,6 +18,12 @@ struct MadeGarment {
   Garment garment;
   SewnMesh mesh;
   Cloth cloth;
+  /// Coarser meshes of the same garment, the coarsest first: draping begins on them.
+  struct Coarse {
+    SewnMesh mesh;
+    Cloth cloth;
+  };
+  std::vector<Coarse> coarse;
 };
 
 /// A drape with all that pictures, files and reports need of it.

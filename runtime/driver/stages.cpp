@@ -7,6 +7,13 @@
 #include "runtime/driver/run.hpp"
 
 namespace toile {
+namespace {
+
+std::string counted(std::size_t count, const char* what) {
+  return fmt::format("{} {}{}", count, what, count == 1 ? "" : "s");
+}
+
+}  // namespace
 
 std::optional<Stage> stage_named(const std::string& name) {
   constexpr std::array<std::pair<const char*, Stage>, 4> stages{
@@ -33,11 +40,11 @@ void check_meshes(Workroom& workroom) {
     const std::shared_ptr<const MadeGarment> made = workroom.make(garment);
     if (!made) return;
     const Topology& topology = made->mesh.s.topology;
-    workroom.listener().noted(
-        fmt::format("{}: {} pieces, {} seams; sewn: components {}, boundary loops {}, Euler characteristic {}, {}{}",
-                    made->garment.name, made->garment.pieces.size(), made->garment.seams.size(), topology.components,
-                    topology.boundary_loops, topology.euler, topology.orientable ? "orientable" : "not orientable",
-                    topology.manifold ? "" : ", not a manifold"));
+    workroom.listener().noted(fmt::format(
+        "{}: {}, {}; sewn: components {}, boundary loops {}, Euler characteristic {}, {}{}", made->garment.name,
+        counted(made->garment.pieces.size(), "piece"), counted(made->garment.seams.size(), "seam"), topology.components,
+        topology.boundary_loops, topology.euler, topology.orientable ? "orientable" : "not orientable",
+        topology.manifold ? "" : ", not a manifold"));
   }
 }
 

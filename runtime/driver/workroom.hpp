@@ -70,7 +70,6 @@ class Workroom {
  private:
   void pass_on_diagnostics();
   std::optional<FabricSheet> replacement_fabric();
-  Placed place_on(const MadeGarment& made, const Body* body);
   void note_drape(const DrapeCommand& command, const Draped& draped);
 
   WorkroomOptions options_;

@@ -1,9 +1,9 @@
 // From a garment of the program to its drape: mesh, sew, place, solve.
 #include <fmt/format.h>
 
+#include "runtime/drape/levels.hpp"
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
-#include "runtime/place/place.hpp"
 
 namespace toile {
 
@@ -22,6 +22,12 @@ std::shared_ptr<const MadeGarment> Workroom::make(int garment) {
     mesh.target_edge = edge_for_triangles(made->garment, options_.triangles);
     made->mesh = sew(made->garment, mesh);
     made->cloth = make_cloth(made->mesh);
+    for (const double coarser : level_edges(mesh.target_edge, static_cast<int>(made->cloth.triangles.size()))) {
+      mesh.target_edge = coarser;
+      MadeGarment::Coarse& level = made->coarse.emplace_back();
+      level.mesh = sew(made->garment, mesh);
+      level.cloth = make_cloth(level.mesh);
+    }
   }
   if (interrupted()) return nullptr;
   made_.emplace(garment, made);
@@ -52,16 +58,6 @@ std::optional<FabricSheet> Workroom::replacement_fabric() {
   return probed->garments().back().fabric;
 }
 
-Placed Workroom::place_on(const MadeGarment& made, const Body* body) {
-  const Stopwatch watch(profile_.place_s);
-  std::vector<Worn> worn;
-  for (const SMesh::WornLine& line : made.mesh.s.worn) {
-    const Wear& wear = made.garment.wears[static_cast<std::size_t>(line.wear)];
-    worn.push_back({&line, wear.line, wear.held, wear.from});
-  }
-  return place(made.mesh, made.cloth, worn, body);
-}
-
 std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   Draped draped;
   draped.made = make(command.garment);
@@ -75,22 +71,24 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
       return std::nullopt;
     }
   }
-  const Placed start = place_on(*draped.made, draped.body.get());
-  if (!start.error.empty()) {
-    diagnose(at_place(Severity::Error, "E0508", command.written, "this garment cannot be placed: " + start.error,
-                      "draped here"));
-    return std::nullopt;
-  }
   DrapeOptions options;
   options.accuracy = options_.accuracy.value_or(command.accuracy.value_or(options.accuracy));
   options.solver = options_.solver;
   options.threads = options_.threads;
   options.gravity = draped.body != nullptr;
-  {
-    const Stopwatch watch(profile_.solve_s);
-    draped.drape =
-        toile::drape(draped.made->cloth, draped.made->garment.fabric, draped.body.get(), start, options, job_);
+  std::vector<DrapeLevel> levels;
+  for (const MadeGarment::Coarse& coarse : draped.made->coarse) levels.push_back({&coarse.mesh, &coarse.cloth});
+  levels.push_back({&draped.made->mesh, &draped.made->cloth});
+  const Garment& garment = draped.made->garment;
+  DrapedLevels result = drape_levels(levels, garment.wears, garment.fabric, draped.body.get(), options, job_);
+  profile_.place_s += result.place_seconds;
+  profile_.solve_s += result.solve_seconds;
+  if (!result.error.empty()) {
+    diagnose(at_place(Severity::Error, "E0508", command.written, "this garment cannot be placed: " + result.error,
+                      "draped here"));
+    return std::nullopt;
   }
+  draped.drape = std::move(result.drape);
   profile_.factorisations += draped.drape.factorisations;
   if (interrupted()) return std::nullopt;
   note_drape(command, draped);

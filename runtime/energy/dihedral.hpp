@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "runtime/energy/vector.hpp"
+#include "runtime/mesh/vector.hpp"
 
 namespace toile {
 

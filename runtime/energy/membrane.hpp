@@ -6,8 +6,8 @@
 #include <array>
 
 #include "compiler/curve/vec2.hpp"
-#include "runtime/energy/vector.hpp"
 #include "runtime/fabric/law.hpp"
+#include "runtime/mesh/vector.hpp"
 
 namespace toile {
 

@@ -1,4 +1,4 @@
-// The flat pattern as JSON: exact curves, seams and worn lines, key by key as docs/formats.md has it.
+// The flat pattern as JSON: exact curves, seams and worn lines. Keys carry their units.
 #include <cmath>
 #include <nlohmann/json.hpp>
 #include <string>

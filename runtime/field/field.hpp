@@ -25,6 +25,4 @@ Field field(std::string_view name, const Cloth& cloth, const Drape& drape);
 /// The same, one value a vertex (area-weighted mean of the triangles about it).
 std::vector<double> at_vertices(const Field& field, const Cloth& cloth);
 
-Spread spread(const std::vector<double>& values, const std::vector<double>& areas);
-
 }  // namespace toile

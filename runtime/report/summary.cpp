@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/contact/self_intersections.hpp"
+#include "runtime/drape/spread.hpp"
 #include "runtime/field/field.hpp"
 #include "runtime/report/folds.hpp"
 #include "runtime/report/projection.hpp"

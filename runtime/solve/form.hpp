@@ -1,7 +1,7 @@
 // One interface for every term of the energy.
 #pragma once
 
-#include "runtime/energy/vector.hpp"
+#include "runtime/mesh/vector.hpp"
 #include "runtime/solve/sparse.hpp"
 
 namespace toile {

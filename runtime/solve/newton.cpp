@@ -7,6 +7,9 @@ namespace toile {
 namespace {
 
 constexpr double highest_lift = 1e2, lowest_lift = 1e-3;  // [1/s2]
+constexpr double highest_lift_near_rest = 1e4;            // a saddle is left along its own way down
+constexpr double near_rest = 0.5;                         // relative residual
+constexpr int longest_pause = 8;                          // iterations
 
 /// One run of Newton's method.
 class Newton {
@@ -35,7 +38,8 @@ class Newton {
   Vector gradient_;
   double energy_ = 0;
   double rate_ = 0;
-  double lift_ = 0;  // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
+  double lift_ = 0;                 // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
+  int pause_ = 0, next_pause_ = 1;  // iterations without trying it
 };
 
 double Newton::evaluate(const Vector& q, Vector* gradient) const {
@@ -60,15 +64,24 @@ bool Newton::factorise(Curvature curvature, double rate) {
 
 bool Newton::factorise() {
   // The true Hessian, lifted just so far that it is definite, goes along the soft folds of the cloth; where that would
-  // take too much lifting, its positive-definite part makes the better step.
-  for (int trial = 0; trial < 3 && std::max(rate_, lift_) < highest_lift; ++trial) {
+  // take too much lifting, its positive-definite part makes the better step, and the true one is left in peace for a
+  // while.
+  if (pause_ > 0) {
+    --pause_;
+    return factorise(Curvature::PositiveDefinite, rate_);
+  }
+  const double highest = problem_.residual(gradient_, q_) < near_rest ? highest_lift_near_rest : highest_lift;
+  for (int trial = 0; trial < 3 && std::max(rate_, lift_) < highest; ++trial) {
     if (factorise(Curvature::Full, std::max(rate_, lift_))) {
       lift_ = lift_ < lowest_lift ? 0 : lift_ / 3;
+      next_pause_ = 1;
       return true;
     }
     lift_ = std::max({10 * lift_, 10 * rate_, 1.0});
   }
-  lift_ = std::min(lift_, highest_lift / 2);
+  lift_ = std::min(lift_, highest / 2);
+  pause_ = next_pause_;
+  next_pause_ = std::min(2 * next_pause_, longest_pause);
   return factorise(Curvature::PositiveDefinite, rate_);
 }
 

@@ -4,7 +4,7 @@
 
 #include <functional>
 
-#include "runtime/energy/vector.hpp"
+#include "runtime/mesh/vector.hpp"
 
 namespace toile {
 

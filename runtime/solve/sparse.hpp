@@ -6,7 +6,7 @@
 #include <span>
 #include <vector>
 
-#include "runtime/energy/vector.hpp"
+#include "runtime/mesh/vector.hpp"
 
 namespace toile {
 

@@ -30,10 +30,11 @@ const std::map<std::string, std::set<std::string>> allowed{
     // the runtime: meshes to equilibrium, pictures and files; no text, no syntax, no evaluation
     {"runtime/mesh", {"compiler/curve", "compiler/pmesh", "compiler/smesh"}},
     {"runtime/fabric", {"compiler/pattern"}},
-    {"runtime/body", {"compiler/pattern", "runtime/mesh"}},
-    {"runtime/energy", {"compiler/curve", "compiler/smesh", "runtime/mesh", "runtime/fabric"}},
-    {"runtime/contact", {"compiler/curve", "compiler/smesh", "runtime/mesh", "runtime/body", "runtime/energy"}},
-    {"runtime/solve", {"runtime/mesh", "runtime/energy"}},
+    {"runtime/body", {"compiler/curve", "compiler/pattern", "runtime/mesh"}},
+    {"runtime/solve", {"runtime/mesh"}},
+    {"runtime/energy", {"compiler/curve", "compiler/smesh", "runtime/mesh", "runtime/fabric", "runtime/solve"}},
+    {"runtime/contact",
+     {"compiler/curve", "compiler/smesh", "runtime/mesh", "runtime/body", "runtime/energy", "runtime/solve"}},
     {"runtime/place", {"compiler/curve", "compiler/pmesh", "compiler/smesh", "runtime/mesh", "runtime/body"}},
     {"runtime/drape",
      {"compiler/curve", "compiler/pattern", "compiler/smesh", "runtime/mesh", "runtime/fabric", "runtime/body",
@@ -59,22 +60,20 @@ const std::map<std::string, std::set<std::string>> allowed{
      {"compiler/diag", "compiler/evaluate", "runtime/drape", "runtime/solve", "runtime/report", "runtime/driver"}},
 };
 
-/// Headers that cost seconds a file: the start of the include, and the folders whose .cpp files may have it.
+/// Headers that cost seconds a file: the start of the include, and the folders that may have it. A header that has it
+/// is private: only its own folder includes it.
 const std::map<std::string, std::set<std::string>> heavy{
-    {"tao/pegtl", {"grammar"}},
-    {"CGAL/", {"compiler/pmesh", "runtime/contact"}},
-    {"CLI/", {"runtime/cli"}},
-    {"nlohmann/", {"runtime/export", "runtime/report", "runtime/cli"}},
-    {"embree", {"runtime/render"}},
-    {"tbb/", {"runtime/contact", "runtime/drape", "runtime/energy", "runtime/solve", "runtime/render", "runtime/cli"}},
-    {"cholmod", {"runtime/solve", "runtime/drape"}},
-    {"png.h", {"runtime/png"}},
-    {"Eigen/", {"runtime/energy", "runtime/contact", "runtime/solve", "runtime/place", "runtime/drape"}},
-    {"regex", {}},
+    {"tao/pegtl", {"grammar"}},     {"CGAL/", {"compiler/pmesh", "runtime/contact"}},
+    {"CLI/", {"runtime/cli"}},      {"nlohmann/", {"runtime/export", "runtime/report", "runtime/cli"}},
+    {"embree", {"runtime/render"}}, {"tbb/", {"runtime/solve", "runtime/render", "runtime/cli"}},
+    {"cholmod", {"runtime/solve"}}, {"Eigen/", {"runtime/body", "runtime/mesh", "runtime/place"}},
+    {"png.h", {"runtime/png"}},     {"regex", {}},
 };
+/// Eigen's dense types, which the mechanics share through one light header, are not heavy.
+const std::set<std::string> not_heavy{"Eigen/Core", "Eigen/Geometry"};
 
 constexpr int most_lines = 400;
-constexpr int most_files_with_one_heavy_library = 4;
+constexpr int most_files_with_one_heavy_library = 5;
 
 struct Include {
   std::string path;
@@ -136,7 +135,8 @@ std::string at(const SourceFile& file, const Include& include) {
 
 TEST(Layers, HaveEveryFolderInTheTable) {
   for (const SourceFile& file : sources()) {
-    if (!is_test(file)) EXPECT_TRUE(allowed.count(file.folder)) << file.path << " stands in a folder without a layer";
+    if (is_test(file)) continue;
+    EXPECT_TRUE(allowed.count(file.folder)) << file.path << " stands in a folder without a layer";
   }
 }
 
@@ -167,15 +167,30 @@ TEST(Layers, HaveNoCircle) {
   EXPECT_THAT(left, testing::IsEmpty());
 }
 
-TEST(HeavyLibraries, AreSeenInTheirFoldersSourcesOnly) {
+/// The heavy library that an include belongs to, or nothing.
+std::string heavy_library(const Include& include) {
+  if (not_heavy.count(include.path)) return "";
+  for (const auto& [library, folders] : heavy) {
+    if (include.path.rfind(library, 0) == 0) return library;
+  }
+  return "";
+}
+
+TEST(HeavyLibraries, AreSeenInTheirFoldersOnly) {
+  std::set<std::string> private_headers;
   for (const SourceFile& file : sources()) {
     if (is_test(file)) continue;
     for (const Include& include : file.includes) {
-      for (const auto& [library, folders] : heavy) {
-        if (include.path.rfind(library, 0) != 0) continue;
-        EXPECT_FALSE(file.is_header) << at(file, include) << " in a header";
-        EXPECT_TRUE(folders.count(file.folder)) << at(file, include);
-      }
+      const std::string library = heavy_library(include);
+      if (library.empty()) continue;
+      EXPECT_TRUE(heavy.at(library).count(file.folder)) << at(file, include);
+      if (file.is_header) private_headers.insert(file.path);
+    }
+  }
+  for (const SourceFile& file : sources()) {
+    for (const Include& include : file.includes) {
+      if (!private_headers.count(include.path)) continue;
+      EXPECT_EQ(fs::path(include.path).parent_path().generic_string(), file.folder) << at(file, include);
     }
   }
 }
@@ -185,9 +200,7 @@ TEST(HeavyLibraries, AreSeenInFewFiles) {
   for (const SourceFile& file : sources()) {
     if (is_test(file)) continue;
     for (const Include& include : file.includes) {
-      for (const char* slow : {"tao/pegtl", "CGAL/", "CLI/", "nlohmann/", "embree"}) {
-        if (include.path.rfind(slow, 0) == 0) seen_in[slow].insert(file.path);
-      }
+      if (const std::string library = heavy_library(include); !library.empty()) seen_in[library].insert(file.path);
     }
   }
   for (const auto& [library, files] : seen_in) {

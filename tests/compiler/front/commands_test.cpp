@@ -97,8 +97,8 @@ TEST(Commands, ViewsAndFields) {
   const Script script(skirt +
                       "drape skirt on form as worn\nrender worn to \"a.png\" from frnt\nrender worn to \"b.png\" "
                       "showing strain.wrap\n");
-  EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("E0504 18:30"), HasSubstr("`frnt`")),
-                                         AllOf(StartsWith("E0504 19:33"), HasSubstr("`strain.wrap`"))));
+  EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("E0504 18:29"), HasSubstr("`frnt`")),
+                                         AllOf(StartsWith("E0504 19:32"), HasSubstr("`strain.wrap`"))));
 }
 
 TEST(Commands, TheBodyIsTheOneThatIsWorn) {

@@ -40,7 +40,7 @@ TEST(Names, RecursionWithoutEndIsBounded) {
 }
 
 TEST(Names, FunctionsThatNothingCallsAreChecked) {
-  const Script script("fn f(n) {\n  let unused = nn\n  n + 1cm + 2deg\n}\n");
+  const Script script("fn f(n) {\n  let unused = nn\n  1cm + 2deg + n\n}\n");
   EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0101 2:16"), StartsWith("E0201 3:3")));
 }
 

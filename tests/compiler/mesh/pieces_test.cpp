@@ -84,6 +84,21 @@ TEST(Pieces, FollowTheirCurvesWithinTheChordError) {
   }));
 }
 
+TEST(Pieces, WhoseChordsWouldCrossAreDividedMoreFinely) {
+  // Two arcs 0.1 mm apart, far less than the chords stray: a bias strip.
+  const double r = 0.1, gap = 1e-4;
+  const Garment g = garment(
+      "strip",
+      {piece("strip", {edge("outer", arc_through({r, 0}, {0, r}, {-r, 0})), edge("end", line({-r, 0}, {gap - r, 0})),
+                       edge("inner", arc_through({gap - r, 0}, {0, r - gap}, {r - gap, 0})),
+                       edge("start", line({r - gap, 0}, {r, 0}))})});
+  PMeshOptions options;
+  options.chord_error = 1e-3;
+  const PMesh mesh = make_pmesh(g, options);
+  expect_sound(mesh, g);
+  EXPECT_NEAR(area(mesh), kPi * (r * r - (r - gap) * (r - gap)) / 2, 5e-6);
+}
+
 TEST(Pieces, LeaveHolesOpen) {
   Piece holed = rectangle("holed", 0.3, 0.3);
   holed.holes.push_back({edge("neck", circle({0.15, 0.15}, {0.2, 0.15}, false))});

@@ -57,7 +57,7 @@ inline DraftDart dart(std::string name, std::string edge_name, double at, double
 }
 
 /// "front.side" or "front.side.mirrored" or "front.side.drawn".
-inline DraftEdgeRef ref(const std::string& text) {
+inline DraftEdgeRef edge_ref(const std::string& text) {
   const auto first = text.find('.'), second = text.find('.', first + 1);
   DraftEdgeRef reference{text.substr(0, first), text.substr(first + 1, second - first - 1), {}, next_place()};
   if (second != std::string::npos) reference.side = text.substr(second) == ".mirrored" ? Side::Mirrored : Side::Drawn;
@@ -66,7 +66,7 @@ inline DraftEdgeRef ref(const std::string& text) {
 
 inline std::vector<DraftEdgeRef> refs(const std::vector<std::string>& texts) {
   std::vector<DraftEdgeRef> references;
-  for (const std::string& text : texts) references.push_back(ref(text));
+  for (const std::string& text : texts) references.push_back(edge_ref(text));
   return references;
 }
 

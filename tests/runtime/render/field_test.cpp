@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "runtime/drape/spread.hpp"
 #include "runtime/render/field_scale.hpp"
 #include "tests/runtime/render/scenes.hpp"
 

@@ -1,9 +1,9 @@
+#include "runtime/drape/spread.hpp"
+
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
 #include <numeric>
-
-#include "runtime/field/field.hpp"
 
 namespace toile {
 
