@@ -51,7 +51,7 @@ class PartReader {
       if (!token) continue;
       const std::string name = session_.name_of(module_, token);
       if (std::find(known.begin(), known.end(), name) == known.end()) {
-        report_unknown(session_, module_, *token, "a " + role + " has no `" + name + "`", known, "E0103");
+        report_unknown(session_, module_, *token, fmt::format("a {} has no `{}`", role, name), known, "E0103");
         body_.sound = false;
       } else if (std::find(seen.begin(), seen.end(), name) != seen.end()) {
         session_.report.add(Problem("E0102", "`" + name + "` is given twice").at(module_.at(*token)));

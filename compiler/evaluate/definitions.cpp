@@ -23,7 +23,7 @@ class ParamReader {
 
   Value read() {
     const auto value_expr = written_.value();
-    const Value fallback = evaluate(session_, scope_, value_expr);
+    Value fallback = evaluate(session_, scope_, value_expr);
     const bool has_range = read_range(fallback);
     if (has_range && !inside(fallback, module_.at(*value_expr), "the default")) return Unknown{};
     for (Session::GivenSetting& setting : session_.settings) {
@@ -39,7 +39,7 @@ class ParamReader {
     const auto given = setting_value(*setting.module);
     if (!given) return Unknown{};
     const Scope inside_setting(*setting.module, session_.modules.front()->scope.get());
-    const Value value = evaluate(session_, inside_setting, *given);
+    Value value = evaluate(session_, inside_setting, *given);
     if (value.unknown() || fallback.unknown()) return Unknown{};
     const Location at = setting.module->at(*given);
     if (!alike(value, fallback)) {

@@ -4,6 +4,7 @@
 
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/arithmetic.hpp"
@@ -16,8 +17,10 @@ namespace {
 
 using syntax::Kind;
 
-constexpr int deepest = 1000;         // expressions inside of expressions, definitions and calls included
-constexpr long most_steps = 500'000;  // expressions evaluated in all
+// Bounds of depth: the first is met in an ordinary build; the second keeps builds with larger frames from overflowing.
+constexpr int deepest = 1000;                  // expressions inside of expressions, definitions and calls included
+constexpr std::intptr_t most_stack = 5 << 20;  // [bytes] of 8 MiB
+constexpr long most_steps = 500'000;           // expressions evaluated in all
 constexpr std::size_t longest_list = 10'000;
 
 /// One expression being evaluated; keeps count of depth and steps.
@@ -26,7 +29,9 @@ class Step {
   Step(Session& session, const Scope& scope, const syntax::Expr& expr) : session_(session) {
     ++session.depth;
     ++session.steps;
-    if (session.exhausted || (session.depth <= deepest && session.steps <= most_steps)) return;
+    if (session.depth == 1) session.stack_base = stack_place();
+    const bool too_deep = session.depth > deepest || session.stack_base - stack_place() > most_stack;
+    if (session.exhausted || (!too_deep && session.steps <= most_steps)) return;
     session.exhausted = true;
     session.report.add(Problem("E0113", session.steps > most_steps ? "this script takes too many steps to evaluate"
                                                                    : "definitions and calls are nested too deeply here")
@@ -39,6 +44,8 @@ class Step {
   Step& operator=(const Step&) = delete;
 
  private:
+  static std::intptr_t stack_place() { return reinterpret_cast<std::intptr_t>(__builtin_frame_address(0)); }
+
   Session& session_;
 };
 
@@ -243,9 +250,10 @@ class Evaluation {
       if (alike(items.front(), items.back())) continue;
       const std::string first = describe(items.front());
       const std::string other = describe(items.back());
-      session_.report.add(Problem("E0202", "the elements of a list are of one kind, here " + first + " and " + other)
-                              .at(at(elements.front()), first)
-                              .at(at(element_expr), other));
+      session_.report.add(
+          Problem("E0202", fmt::format("the elements of a list are of one kind, here {} and {}", first, other))
+              .at(at(elements.front()), first)
+              .at(at(element_expr), other));
       return Unknown{};
     }
     // A list with an element that is not known keeps its length and its other elements.
@@ -292,7 +300,8 @@ class Evaluation {
       return std::nullopt;
     }
     std::vector<Value> values;
-    for (double i = first; i <= last; ++i) values.push_back(number(i));
+    const int steps = last < first ? -1 : static_cast<int>(last - first);  // below the bound just checked
+    for (int i = 0; i <= steps; ++i) values.push_back(number(first + i));
     return values;
   }
 
@@ -361,7 +370,7 @@ Value suppose(Session& session, const Scope& scope, const std::optional<syntax::
   }
   session.supposed_branches[key] = Value{};  // what a recursion that comes by here again sees
   const Holding<int> supposing(session.supposing, session.supposing + 1);
-  const Value value = forget(evaluate(session, scope, *expr));
+  Value value = forget(evaluate(session, scope, *expr));
   session.supposed_branches[key] = value;
   return value;
 }

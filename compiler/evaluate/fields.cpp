@@ -126,7 +126,7 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
   if (const auto* result = object.as<ResultValue>()) return result_field(access, *result);
   if (const auto* curve = object.as<PlaneCurve>()) return end_of_curve(access, *curve);
   if (object.as<Point>() != nullptr || object.as<Point3>() != nullptr) {
-    const Value value = coordinate(object, access.text);
+    Value value = coordinate(object, access.text);
     if (!value.unknown()) return value;
     std::vector<std::string> names{"x", "y"};
     if (object.as<Point3>() != nullptr) names.emplace_back("z");

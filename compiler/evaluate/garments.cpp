@@ -65,9 +65,9 @@ class GarmentBuilder {
     piece->name = session_.name_of(outer_->module(), written.name());
     piece->garment = &garment_;
     piece->written = written;
-    const PieceRef reference = piece.get();
+    PieceInstance* reference = piece.get();
     const Definition* made =
-        define(session_, *garment_.scope, written.name(), [reference]() -> Value { return reference; });
+        define(session_, *garment_.scope, written.name(), [reference]() -> Value { return PieceRef{reference}; });
     if (made == nullptr) {
       garment_.sound = false;
       return;

@@ -27,6 +27,7 @@ void report_circle(Session& session, const Definition& definition) {
 
 /// Names inside text that the parser gave up on may well be defined there.
 bool stands_in_broken_text(const Session& session, const Module& module, std::string_view name) {
+  if (module.parsed.errors.empty()) return false;
   const syntax::Tree& tree = module.parsed.tree;
   for (syntax::NodeId id = 0; id < tree.size(); ++id) {
     if (tree[id].kind != syntax::Kind::Error) continue;
@@ -53,7 +54,7 @@ Value supposed_value(Definition& definition) {
 
 Value value_of(Session& session, Definition& definition, const Scope& where) {
   if (session.supposing > 0 && where.is_call()) return supposed_value(definition);
-  const Value value = force(session, definition);
+  Value value = force(session, definition);
   return session.supposing > 0 ? forget(value) : value;
 }
 
@@ -83,6 +84,7 @@ Value force(Session& session, Definition& definition) {
 void report_unknown(Session& session, const Module& module, const syntax::Token& name, const std::string& message,
                     const std::vector<std::string>& known, const std::string& code) {
   const std::string text = session.name_of(module, name);
+  if (session.report.full()) return;
   if (stands_in_broken_text(session, module, text)) return;
   session.report.add(Problem(code, message).at(module.at(name)).help(suggestion(text, known)));
 }
@@ -92,10 +94,11 @@ Value look_up(Session& session, const Scope& scope, const syntax::Token& name, W
   const Builtin* builtin = find_builtin(text);
   const Scope* where = nullptr;
   if (Definition* definition = scope.find(text, &where, wish == Wish::Curve)) {
-    const Value value = value_of(session, *definition, *where);
+    Value value = value_of(session, *definition, *where);
     if (wish != Wish::Function || builtin == nullptr || callable(value)) return value;
   }
   if (builtin != nullptr) return builtin->constant ? *builtin->constant : Value{BuiltinRef{builtin}};
+  if (session.report.full()) return Unknown{};
   std::vector<std::string> known = scope.visible_names();
   const std::vector<std::string> functions = builtin_names();
   known.insert(known.end(), functions.begin(), functions.end());

@@ -29,31 +29,46 @@ void PiecePlanner::plan_all() {
 }
 
 void PiecePlanner::plan(PieceInstance& piece) {
-  const auto [state, is_new] = states_.try_emplace(&piece, State::Running);
-  if (!is_new) return;
-  const Module& module = garment_.scope->module();
-  if (const auto base_name = piece.written.base()) {
-    const std::string name = session_.name_of(module, base_name);
-    PieceInstance* base = garment_.piece(name);
-    if (base == nullptr) {
-      std::vector<std::string> names;
-      for (const auto& each : garment_.pieces) {
-        if (each.get() != &piece) names.push_back(each->name);
-      }
-      report_unknown(session_, module, *base_name, fmt::format("there is no piece `{}` to vary", name), names);
-      piece.sound = false;
-    } else if (const auto running = states_.find(base); running != states_.end() && running->second == State::Running) {
-      session_.report.add(
-          Problem("E0106", fmt::format("piece `{}` is a variation of itself", piece.name)).at(module.at(*base_name)));
-      piece.sound = false;
-    } else {
-      plan(*base);
-      piece.plan = base->plan;
-      piece.sound = base->sound;
-    }
+  // From the piece back to one that varies none or is planned already, then forwards again.
+  std::vector<std::pair<PieceInstance*, PieceInstance*>> way;  // each with the piece that it varies
+  PieceInstance* next = &piece;
+  while (next != nullptr && states_.try_emplace(next, State::Running).second) {
+    PieceInstance* base = base_of(*next);
+    way.emplace_back(next, base);
+    next = base;
   }
-  apply(piece);
-  states_[&piece] = State::Done;
+  const Module& module = garment_.scope->module();
+  if (next != nullptr && states_[next] == State::Running) {
+    PieceInstance& last = *way.back().first;
+    session_.report.add(Problem("E0106", fmt::format("piece `{}` is a variation of itself", last.name))
+                            .at(module.at(*last.written.base())));
+    last.sound = false;
+    way.back().second = nullptr;
+  }
+  for (auto each = way.rbegin(); each != way.rend(); ++each) {
+    auto [varied, base] = *each;
+    if (base != nullptr) {
+      varied->plan = base->plan;
+      varied->sound = varied->sound && base->sound;
+    }
+    apply(*varied);
+    states_[varied] = State::Done;
+  }
+}
+
+PieceInstance* PiecePlanner::base_of(PieceInstance& piece) {
+  const auto written = piece.written.base();
+  if (!written) return nullptr;
+  const Module& module = garment_.scope->module();
+  const std::string name = session_.name_of(module, written);
+  if (PieceInstance* base = garment_.piece(name)) return base;
+  std::vector<std::string> names;
+  for (const auto& each : garment_.pieces) {
+    if (each.get() != &piece) names.push_back(each->name);
+  }
+  report_unknown(session_, module, *written, fmt::format("there is no piece `{}` to vary", name), names);
+  piece.sound = false;
+  return nullptr;
 }
 
 void PiecePlanner::apply(PieceInstance& piece) {

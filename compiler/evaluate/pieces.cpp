@@ -27,6 +27,16 @@ Value edge_curve(Session& session, const PieceInstance& piece, std::size_t i) {
   const std::optional<Vec2> start = origin(session, piece);
   std::optional<Vec2> pen = start;
   if (i > 0) {
+    // One after another, so that a long outline is no deep recursion.
+    std::size_t first = i;
+    const auto fresh = [&](std::size_t edge) {
+      const Definition* definition = piece.scope->own(piece.plan.edges[edge].name);
+      return definition != nullptr && definition->state == Definition::State::Fresh;
+    };
+    while (first > 0 && fresh(first - 1)) --first;
+    for (std::size_t earlier = first; earlier + 1 < i; ++earlier) {
+      force(session, *piece.scope->own(piece.plan.edges[earlier].name));
+    }
     Definition* before = piece.scope->own(piece.plan.edges[i - 1].name);
     const Value value = before == nullptr ? Value{} : force(session, *before);
     const auto* curve = value.as<PlaneCurve>();

@@ -20,6 +20,8 @@ class PiecePlanner {
 
  private:
   void plan(PieceInstance& piece);
+  /// The piece that it varies; null for none, and with an error for an unknown one.
+  PieceInstance* base_of(PieceInstance& piece);
   void apply(PieceInstance& piece);
   void vary_outline(PieceInstance& piece, const syntax::Outline& outline);
   void take_edge(PieceInstance& piece, const syntax::Edge& edge);

@@ -5,7 +5,7 @@
 namespace toile {
 namespace {
 
-constexpr std::size_t most_diagnostics = 200;  // a text with more mistakes is no script
+constexpr std::size_t most_diagnostics = 200;
 
 Location place(const Diagnostic& diagnostic) {
   for (const Label& label : diagnostic.labels) {
@@ -23,10 +23,14 @@ bool before(const Diagnostic& a, const Diagnostic& b) {
 
 }  // namespace
 
+bool Reporter::full() const {
+  return all_.size() >= most_diagnostics;
+}
+
 void Reporter::add(Diagnostic diagnostic) {
   const Location where = place(diagnostic);
   const bool is_new = seen_.emplace(diagnostic.code, where.file, where.span.begin, where.span.end).second;
-  if (!is_new || all_.size() >= most_diagnostics) return;
+  if (!is_new || full()) return;
   if (!calls_.empty() && !(calls_.front() == where))
     diagnostic.labels.push_back({calls_.front(), "in this call", false});
   if (diagnostic.severity == Severity::Error) ++errors_;

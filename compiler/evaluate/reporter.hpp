@@ -47,6 +47,8 @@ class Reporter {
   void enter_call(Location call) { calls_.push_back(call); }
   void leave_call() { calls_.pop_back(); }
 
+  /// Whether more would be left out: a text with so many mistakes is no script.
+  bool full() const;
   bool has_errors() const { return errors_ > 0; }
   int errors() const { return errors_; }
   /// Sorted by file and place.

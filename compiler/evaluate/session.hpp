@@ -1,6 +1,7 @@
 // What all of the evaluation shares, and the bounds that it keeps.
 #pragma once
 
+#include <cstdint>
 #include <deque>
 #include <map>
 #include <memory>
@@ -49,6 +50,7 @@ struct Session {
 
   // Bounds.
   int depth = 0;
+  std::intptr_t stack_base = 0;
   int call_depth = 0;
   long steps = 0;
   bool exhausted = false;  // a bound was met: unwind in silence

@@ -4,8 +4,10 @@
 #pragma once
 
 #include <array>
+#include <concepts>
 #include <memory>
 #include <string>
+#include <utility>
 #include <variant>
 #include <vector>
 
@@ -94,9 +96,9 @@ class Value {
 
   Value() = default;
   template <typename T>
-  requires std::constructible_from<Data, T> &&(!std::same_as<std::remove_cvref_t<T>, Value>)
-      Value(T&& data, bool is_known = true)  // NOLINT(google-explicit-constructor): every alternative is a value
-      : data_(std::forward<T>(data)), known_(is_known) {}
+  requires(std::constructible_from<Data, T> && !std::same_as<T, Value>)
+      Value(T data, bool is_known = true)  // NOLINT(google-explicit-constructor): every alternative is a value
+      : data_(std::move(data)), known_(is_known) {}
 
   const Data& data() const { return data_; }
   template <typename T>

@@ -21,7 +21,7 @@ constexpr double rounding_way = 0.3;  // of the leg, over which its rings become
 // The multiple of the ring's spacing by which a loop is to be turned so that its vertices lie, in the mean, opposite
 // those of the ring that starts at its front.
 int least_twist(const std::vector<int>& loop, const LimbFrame& frame, const HalfForm& form) {
-  const int count = static_cast<int>(loop.size());
+  const int count = std::max(1, static_cast<int>(loop.size()));
   double c = 0, s = 0;
   for (int i = 0; i < count; ++i) {
     const Vec3 d = form.points[loop[i]] - frame.centre;

@@ -42,6 +42,7 @@ void cap_limb(const std::vector<int>& rim, const LimbFrame& frame, HalfForm& for
   for (int k = 1; k < rings; ++k) {
     const double angle = 0.5 * std::numbers::pi * k / rings;
     std::vector<Vec3> ring;
+    ring.reserve(rim.size());
     for (const int v : rim) {
       ring.push_back(frame.centre + std::cos(angle) * (form.points[v] - frame.centre) +
                      rise * std::sin(angle) * frame.along);

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 #include <vector>
 
@@ -12,7 +13,9 @@ namespace {
 
 struct HalfEdge {
   int from, to, triangle;
-  friend auto operator<=>(const HalfEdge&, const HalfEdge&) = default;
+  friend bool operator<(const HalfEdge& a, const HalfEdge& b) {
+    return std::tie(a.from, a.to, a.triangle) < std::tie(b.from, b.to, b.triangle);
+  }
 };
 
 std::vector<HalfEdge> sorted_half_edges(const Body::Surface& surface) {

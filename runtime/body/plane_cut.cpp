@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <tuple>
 #include <utility>
 
 namespace toile {
@@ -13,7 +14,7 @@ using Crossed = std::pair<int, int>;
 
 struct Step {
   Crossed from, to;
-  friend auto operator<=>(const Step&, const Step&) = default;
+  friend bool operator<(const Step& a, const Step& b) { return std::tie(a.from, a.to) < std::tie(b.from, b.to); }
 };
 
 // One step a triangle that the plane passes through, directed so that steps chain. A vertex on the plane counts as

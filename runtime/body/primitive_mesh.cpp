@@ -23,6 +23,7 @@ struct Station {
 };
 std::vector<Station> stations(double half, int flats, int rounds) {
   std::vector<Station> list;
+  list.reserve(static_cast<std::size_t>(flats) + 2 * rounds + 1);
   for (int i = 0; i < rounds; ++i) {
     list.push_back({-half, -std::tan(0.25 * std::numbers::pi * (rounds - i) / rounds)});
   }

@@ -111,6 +111,7 @@ void cap_trunk(const std::vector<int>& rim, bool upwards, HalfForm& form) {
   for (int k = 1; k < rings; ++k) {
     const double angle = 0.5 * std::numbers::pi * k / rings;
     std::vector<Vec3> ring;
+    ring.reserve(rim.size());
     for (const int v : rim) {
       ring.push_back(centre + std::cos(angle) * (form.points[v] - centre) + Vec3{0, 0, rise * std::sin(angle)});
     }

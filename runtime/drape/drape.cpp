@@ -60,7 +60,7 @@ class Draping {
     elastic_.prepare(matrix_);
     if (body != nullptr) {
       contact_ = std::make_unique<BodyContact>(cloth, *body, law_.thickness / 2,
-                                               body->spec().friction.value_or(law_.friction));
+                                               options.friction ? body->spec().friction.value_or(law_.friction) : 0);
       stiffness_ = body->spec().softness;
     }
     q_ = Vector::Zero(elastic_.unknowns().count());

@@ -16,8 +16,9 @@ namespace toile {
 struct DrapeOptions {
   double accuracy = 1e-3;  // residual_relative to reach
   enum class Solver { Newton, Okabe } solver = Solver::Newton;
-  int threads = 0;      // 0: as many as there are
-  bool gravity = true;  // off where there is no body
+  int threads = 0;       // 0: as many as there are
+  bool gravity = true;   // off where there is no body
+  bool friction = true;  // off while a garment that is held somewhere falls
   int max_iterations = 1500;
   bool carried_over = false;  // the start is a form already draped on another mesh, near rest
 };

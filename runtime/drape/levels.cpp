@@ -57,6 +57,8 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vect
       }
       placed.positions = std::move(carried);
     }
+    // What is held somewhere is shaken free of accidental creases first: friction would keep them.
+    own.friction = options.friction && (level + 1 == levels.size() || placed.held.empty());
     if (level + 1 < levels.size()) own.accuracy = std::max(options.accuracy, coarse_accuracy);
     const double ready = seconds();
     result.drape = drape(*at.cloth, fabric, body, placed, own, job);

@@ -67,7 +67,7 @@ void Workroom::write_below(const std::string& path, const std::string& bytes, Lo
   } else {
     diagnose(at_place(Severity::Error, "E0501", written,
                       fmt::format("\"{}\" lies outside the folder for this script's files", path), "written here",
-                      "give a path without a leading \"/\" or \"..\", and choose the folder with --out"));
+                      R"(give a path without a leading "/" or "..", and choose the folder with --out)"));
   }
 }
 

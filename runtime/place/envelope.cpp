@@ -26,6 +26,7 @@ std::vector<Generator> start_generators(const BodyLine& line, const ClosedCurve&
   const BodyLine widened{line.name, start.points(), start.length(), line.axis};
   const std::vector<Vec3> outward = outward_directions(widened);
   std::vector<Generator> result;
+  result.reserve(generators);
   for (int k = 0; k < generators; ++k) {
     const Vec3 at = start.at(static_cast<double>(k) / generators);
     std::size_t nearest = 0;
@@ -47,6 +48,7 @@ std::vector<Generator> start_generators(const BodyLine& line, const ClosedCurve&
 
 std::vector<Vec3> positions(const std::vector<Generator>& ring) {
   std::vector<Vec3> points;
+  points.reserve(ring.size());
   for (const Generator& g : ring) points.push_back(g.at);
   return points;
 }
@@ -73,6 +75,7 @@ class March {
     find_middle(ring, axis_);
     const double free_angle = std::asin(spread);
     std::vector<double> angles;
+    angles.reserve(ring.size());
     for (const Generator& g : ring) angles.push_back(way_out(g, free_angle));
     for (int pass = 0; pass < taut_passes; ++pass) {
       const std::vector<double> before = angles;

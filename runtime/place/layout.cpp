@@ -98,7 +98,7 @@ double unevenness(const Plane& plane, const std::vector<Point4>& points) {
     sum += std::sqrt(radius2);
     sum2 += radius2;
   }
-  const double n = static_cast<double>(points.size());
+  const auto n = static_cast<double>(points.size());
   return std::sqrt(std::max(0.0, sum2 * n / (sum * sum) - 1));
 }
 
@@ -137,11 +137,11 @@ std::optional<Circle> find_circle(const std::vector<Point4>& points) {
     const double z = (i + 0.5) / directions, angle = 2.399963 * i, r = std::sqrt(1 - z * z);
     consider({r * std::cos(angle), r * std::sin(angle), z});
   }
-  for (double reach = 0.1; reach > 0.002; reach *= 0.7) {
-    const Eigen::Vector3d u = best.unitOrthogonal(), v = best.cross(u), centre = best;
-    for (const Eigen::Vector3d& way : {u, v, Eigen::Vector3d(-u), Eigen::Vector3d(-v)}) {
-      consider((centre + reach * way).normalized());
-    }
+  constexpr int refinements = 12;
+  for (int i = 0; i < refinements; ++i) {
+    const Eigen::Vector3d u = 0.1 * std::pow(0.7, i) * best.unitOrthogonal(), v = best.cross(u);
+    const std::array<Eigen::Vector3d, 4> about{best + u, best + v, best - u, best - v};
+    for (const Eigen::Vector3d& axis : about) consider(axis.normalized());
   }
   return circle_in(plane_across(best), points);
 }

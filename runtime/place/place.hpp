@@ -23,9 +23,9 @@ struct Placed {
   std::string error;            // empty when all is well: a line the body does not have, …
 };
 
-/// By layers from the worn lines; a component without a worn line is laid flat above the body, or, without a body,
-/// placed as it lies (a closed surface is blown up a little from its own graph layout, so that no two vertices
-/// coincide). `outward[t]` tells for every triangle whether its right side faces out (+1) as placed; deterministic.
+/// Around the limb and down it from the worn lines, right side out (docs/bodies.md); a component without a worn line is
+/// laid flat above the body, or, without a body, as it is drawn; a sewn one takes its shape from the distances within
+/// it. Vertices are outside the body, but for those held on it. Deterministic.
 Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& worn, const Body* body);
 
 }  // namespace toile

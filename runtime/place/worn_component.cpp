@@ -82,6 +82,7 @@ void place_worn(const RestMesh& rest, const std::vector<int>& members, const std
   std::vector<bool> in_component(n, false);
   for (const int v : members) in_component[v] = true;
   std::vector<std::vector<double>> depth;
+  depth.reserve(hung.size());
   for (const HungLine& h : hung) depth.push_back(rest.distance_from(h.chain.vertices));
   const std::vector<int> line_of = assign(members, hung, depth, n);
 

@@ -63,6 +63,7 @@ TEST(Values, NoNumberAndAbsurdLengths) {
 
 TEST(Values, ListsAndStepsAreBounded) {
   EXPECT_THAT(Script("let a = [i for i in 1..1000000000]\n").told(), ElementsAre(StartsWith("E0113 1:")));
+  EXPECT_THAT(Script("let a = [i for i in 10^17..10^17 + 20]\n").told(), IsEmpty());  // no step is seen out there
   const std::string ten =
       "[[[[[[[i for a in 1..99] for b in 1..99] for c in 1..99] for d in 1..99] for e in 1..99] for "
       "f in 1..99] for i in 1..99]";
