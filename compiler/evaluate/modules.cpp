@@ -107,8 +107,7 @@ Module& add_module(Session& session, const std::string& name, std::string text, 
 
 void define_import(Session& session, Module& importer, const syntax::Import& written) {
   Module* module = load_module(session, importer, written);
-  const Value value = module == nullptr ? Value{} : Value{ModuleRef{module}};
-  const auto compute = [value] { return value; };
+  const auto compute = [module] { return module == nullptr ? Value{} : Value{ModuleRef{module}}; };
   if (written.alias() || written.module()) {
     define(session, *importer.scope, written.alias() ? written.alias() : written.module(), compute);
     return;

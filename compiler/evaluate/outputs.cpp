@@ -63,7 +63,7 @@ std::optional<std::string> Commands::output_path(const std::optional<syntax::Exp
   const auto text = Wanted{session_, scope()}.text(path, "an output's path");
   if (!text) return std::nullopt;
   const Location at = module().at(*path);
-  const auto clean = inside_folder(*text);
+  auto clean = inside_folder(*text);
   if (!clean) {
     session_.report.add(Problem("E0501", fmt::format("\"{}\" is no path inside the output folder", *text))
                             .at(at)

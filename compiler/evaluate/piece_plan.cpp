@@ -45,8 +45,8 @@ void PiecePlanner::plan(PieceInstance& piece) {
     last.sound = false;
     way.back().second = nullptr;
   }
-  for (auto each = way.rbegin(); each != way.rend(); ++each) {
-    auto [varied, base] = *each;
+  std::reverse(way.begin(), way.end());
+  for (const auto& [varied, base] : way) {
     if (base != nullptr) {
       varied->plan = base->plan;
       varied->sound = varied->sound && base->sound;

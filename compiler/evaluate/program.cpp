@@ -21,8 +21,8 @@ class LoadedProgram final : public Program {
     for (const Setting& setting : settings) add_setting(session_, setting);
     commands_.define_results();
     // The standard library is checked by its own tests, and here by what is used of it.
-    for (std::size_t i = 0; i < session_.modules.size(); ++i) {
-      if (!session_.modules[i]->from_stdlib) check_module(session_, *session_.modules[i]);
+    for (const auto& module : session_.modules) {
+      if (!module->from_stdlib) check_module(session_, *module);
     }
     check_functions(session_);
     enter_bodies(script);
