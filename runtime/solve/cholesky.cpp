@@ -2,6 +2,9 @@
 
 #include "runtime/solve/sparse.hpp"
 
+// From OpenMP's runtime, whose header clang does not bring.
+extern "C" void omp_set_max_active_levels(int levels);
+
 namespace toile {
 
 struct Cholesky::Handle {
@@ -9,6 +12,8 @@ struct Cholesky::Handle {
   cholmod_factor* factor = nullptr;
 
   Handle() {
+    // CHOLMOD's own threads wait for each other by spinning, which costs more than they bring at the sizes of garments.
+    omp_set_max_active_levels(0);
     cholmod_start(&common);
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
