@@ -31,9 +31,15 @@ if(TOILE_COVERAGE)
   target_link_options(toile_options INTERFACE --coverage)
 endif()
 
-# toile_library(NAME DIRS a b c LINKS x y): all sources directly in those folders; links are visible to users of the headers.
+# toile_quick_to_build(NAME): code that spends no time worth the optimiser's is built at -O1, in three fifths of the time.
+function(toile_quick_to_build name)
+  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
+endfunction()
+
+# toile_library(NAME [QUICK] DIRS a b c LINKS x y PRIVATE z): all sources directly in those folders; links are visible to
+# users of the headers, private ones are not.
 function(toile_library name)
-  cmake_parse_arguments(ARG "" "" "DIRS;LINKS;PRIVATE" ${ARGN})
+  cmake_parse_arguments(ARG "QUICK" "" "DIRS;LINKS;PRIVATE" ${ARGN})
   set(sources "")
   foreach(dir IN LISTS ARG_DIRS)
     file(GLOB found CONFIGURE_DEPENDS ${CMAKE_CURRENT_SOURCE_DIR}/${dir}/*.cpp)
@@ -42,15 +48,13 @@ function(toile_library name)
   if(sources)
     add_library(${name} STATIC ${sources})
     target_link_libraries(${name} PUBLIC toile_options ${ARG_LINKS} PRIVATE ${ARG_PRIVATE})
+    if(ARG_QUICK)
+      toile_quick_to_build(${name})
+    endif()
   else()
     add_library(${name} INTERFACE)
     target_link_libraries(${name} INTERFACE toile_options ${ARG_LINKS})
   endif()
-endfunction()
-
-# toile_quick_to_build(NAME): code that spends no time worth the optimiser's is built at -O1, in three fifths of the time.
-function(toile_quick_to_build name)
-  target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:-O1>)
 endfunction()
 
 # toile_test(NAME DIR folder LINKS x y): one GoogleTest program of all *_test.cpp in a folder, known to CTest test by test.

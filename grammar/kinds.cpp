@@ -10,7 +10,7 @@ struct Words {
   std::string_view expectation;
 };
 
-constexpr std::array<Words, kind_count> words{{
+constexpr std::array<Words, kind_count> words_of_kind{{
 #define TOILE_NODE(name, words) {#name, words},
 #define TOILE_TOKEN(name, words) {#name, words},
 #define TOILE_WORD(name, spelling) {spelling, "`" spelling "`"},
@@ -19,7 +19,7 @@ constexpr std::array<Words, kind_count> words{{
 }};
 
 constexpr const Words& of(Kind kind) {
-  return words[static_cast<std::size_t>(kind)];
+  return words_of_kind[static_cast<std::size_t>(kind)];
 }
 
 }  // namespace

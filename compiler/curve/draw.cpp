@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 double angle_of(Vec2 v) {
   return std::atan2(v.y, v.x);
@@ -16,8 +16,8 @@ double angle_of(Vec2 v) {
 
 // The angle brought to (-pi, pi].
 double wrapped(double angle) {
-  const double turns = std::remainder(angle, 2 * kPi);
-  return turns <= -kPi ? turns + 2 * kPi : turns;
+  const double turns = std::remainder(angle, 2 * pi);
+  return turns <= -pi ? turns + 2 * pi : turns;
 }
 
 }  // namespace
@@ -35,8 +35,8 @@ Curve arc_through(Vec2 from, Vec2 through, Vec2 to) {
   const double begin = angle_of(from - centre);
   double sweep = wrapped(angle_of(to - centre) - begin);
   // from, through, to turn to the left exactly when the arc does.
-  if (area > 0 && sweep < 0) sweep += 2 * kPi;
-  if (area < 0 && sweep > 0) sweep -= 2 * kPi;
+  if (area > 0 && sweep < 0) sweep += 2 * pi;
+  if (area < 0 && sweep > 0) sweep -= 2 * pi;
   return Curve({ArcSegment{centre, radius, begin, sweep}});
 }
 
@@ -49,12 +49,12 @@ Curve arc_of_radius(Vec2 from, Vec2 to, double radius, bool large) {
   const Vec2 left = perpendicular(to - from) / chord;
   const Vec2 centre = 0.5 * (from + to) + (large ? -turn : turn) * height * left;
   const double shorter = 2 * std::asin(std::min(1.0, chord / (2 * r)));
-  const double sweep = turn * (large ? 2 * kPi - shorter : shorter);
+  const double sweep = turn * (large ? 2 * pi - shorter : shorter);
   return Curve({ArcSegment{centre, r, angle_of(from - centre), sweep}});
 }
 
 Curve circle(Vec2 centre, Vec2 from, bool left) {
-  return Curve({ArcSegment{centre, distance(centre, from), angle_of(from - centre), left ? 2 * kPi : -2 * kPi}});
+  return Curve({ArcSegment{centre, distance(centre, from), angle_of(from - centre), left ? 2 * pi : -2 * pi}});
 }
 
 Curve bezier(Vec2 p0, Vec2 p1, Vec2 p2, Vec2 p3) {
@@ -67,7 +67,7 @@ Curve tangent_curve(Vec2 from, double leaving, Vec2 to, double arriving) {
   // An arc that leaves its chord at the angle a turns through 2a; its best cubic has arms 4/3 tan(a/2) r, which is
   // chord / (3 cos^2(a/2)). Beyond 120 degrees the arms would run away.
   const auto arm = [&](double angle) {
-    const double cosine = std::cos(std::min(std::abs(wrapped(angle)), 2 * kPi / 3) / 2);
+    const double cosine = std::cos(std::min(std::abs(wrapped(angle)), 2 * pi / 3) / 2);
     return chord / (3 * cosine * cosine);
   };
   return bezier(from, from + arm(leaving - along) * direction(leaving),

@@ -7,7 +7,7 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 Vec2 reflect(Vec2 v, Vec2 axis) {
   return 2 * dot(v, axis) * axis - v;
@@ -114,7 +114,7 @@ double stray_of(const LineSegment&) {
 }
 double stray_of(const ArcSegment& a) {
   const double half = std::abs(a.sweep) / 2;
-  return half < kPi / 2 ? a.radius * (1 - std::cos(half)) : 2 * a.radius;
+  return half < pi / 2 ? a.radius * (1 - std::cos(half)) : 2 * a.radius;
 }
 // The distance to a convex set is a convex function, so it is at most the Bernstein mean of the control points'
 // distances; the two inner ones weigh at most 3/4 together.
@@ -163,7 +163,7 @@ std::vector<double> cuts_of(const LineSegment&) {
 }
 std::vector<double> cuts_of(const ArcSegment& a) {
   std::vector<double> cuts;
-  const int quarters = static_cast<int>(std::ceil(std::min(std::abs(a.sweep), 8 * kPi) / (kPi / 2) - 1e-9));
+  const int quarters = static_cast<int>(std::ceil(std::min(std::abs(a.sweep), 8 * pi) / (pi / 2) - 1e-9));
   for (int i = 1; i < quarters; ++i) cuts.push_back(static_cast<double>(i) / quarters);
   return cuts;
 }

@@ -2,11 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace toile {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 constexpr int kMostRings = 64;
 constexpr double kWide = 1.3;        // of a side: sectors of this width need no pins
 constexpr double kClearance = 0.25;  // of a sector or side, whichever is smaller
@@ -36,7 +37,7 @@ void add_fan(PlaneDomain& domain, int loop, int node, int sectors) {
   for (int ring = 1; ring <= kMostRings && 2 * ring < n; ++ring) {
     const Vec2 first = at(node + ring) - tip, last = at(node - ring) - tip;
     double angle = std::atan2(cross(first, last), dot(first, last));
-    if (angle <= 0) angle += 2 * kPi;
+    if (angle <= 0) angle += 2 * pi;
     const double side =
         std::max(distance(at(node + ring), at(node + ring - 1)), distance(at(node - ring), at(node - ring + 1)));
     const double width = angle / sectors * std::sqrt(norm(first) * norm(last));

@@ -2,16 +2,17 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 namespace toile {
 namespace {
 
-constexpr double kPi = 3.14159265358979323846;
-constexpr double kLeastAngle = 27 * kPi / 180;   // triangles with a smaller angle are refined
-constexpr double kAcuteCorner = 61 * kPi / 180;  // corners that need shells
-constexpr double kNarrow = 0.2;                  // of an edge
-constexpr double kFirstShell = 0.25;             // of an edge: shells about acute corners are no smaller
-constexpr double kCircumradiusPerEdge = 0.74;    // measured: the mean edge then comes to the length asked for
+using std::numbers::pi;
+constexpr double kLeastAngle = 27 * pi / 180;   // triangles with a smaller angle are refined
+constexpr double kAcuteCorner = 61 * pi / 180;  // corners that need shells
+constexpr double kNarrow = 0.2;                 // of an edge
+constexpr double kFirstShell = 0.25;            // of an edge: shells about acute corners are no smaller
+constexpr double kCircumradiusPerEdge = 0.74;   // measured: the mean edge then comes to the length asked for
 constexpr double kLensCosine = -0.5;
 
 double angle_at(Vec2 apex, Vec2 a, Vec2 b) {

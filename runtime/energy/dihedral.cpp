@@ -20,8 +20,8 @@ Matrix3 skew(const Vector3& v) {
   return m;
 }
 
-/// One side of the hinge: the triangle over the edge with its opposite point at index `apex`.
-struct Side {
+/// One wing of the hinge: the triangle over the edge with its opposite point at index `apex`.
+struct Wing {
   int apex;
   Vector3 normal;    // not unit
   double square;     // |normal|^2
@@ -32,12 +32,12 @@ struct Side {
 struct Frame {
   Vector3 edge;
   double length;
-  Side first, second;
+  Wing first, second;
 };
 
-Side side(const Hinge& x, const Vector3& edge, double length, int apex, double sign) {
+Wing wing(const Hinge& x, const Vector3& edge, double length, int apex, double sign) {
   const Vector3 arm = x[static_cast<std::size_t>(apex)] - x[0];
-  Side s;
+  Wing s;
   s.apex = apex;
   s.normal = sign * edge.cross(arm);
   s.square = std::max(s.normal.squaredNorm(), least_area_ratio * length * length * length * length);
@@ -50,18 +50,18 @@ Frame frame(const Hinge& x) {
   Frame f;
   f.edge = x[1] - x[0];
   f.length = std::max(f.edge.norm(), 1e-12);
-  f.first = side(x, f.edge, f.length, 2, 1);
-  f.second = side(x, f.edge, f.length, 3, -1);
+  f.first = wing(x, f.edge, f.length, 2, 1);
+  f.second = wing(x, f.edge, f.length, 3, -1);
   return f;
 }
 
 /// Derivatives of a side's gradient and foot by all twelve coordinates.
-struct SideDerivative {
+struct WingDerivative {
   Matrix3x12 gradient = Matrix3x12::Zero();
   Row12 foot = Row12::Zero();
 };
 
-SideDerivative differentiate(const Hinge& x, const Frame& f, const Side& s, double sign) {
+WingDerivative differentiate(const Hinge& x, const Frame& f, const Wing& s, double sign) {
   const Vector3 arm = x[static_cast<std::size_t>(s.apex)] - x[0];
   // d normal = sign (d edge x arm + edge x d arm), with d edge = dx1 - dx0 and d arm = dx_apex - dx0.
   const Matrix3 by_edge = -sign * skew(arm), by_arm = sign * skew(f.edge);
@@ -72,7 +72,7 @@ SideDerivative differentiate(const Hinge& x, const Frame& f, const Side& s, doub
   Row12 length = Row12::Zero();
   length.segment<3>(0) = -f.edge.transpose() / f.length;
   length.segment<3>(3) = f.edge.transpose() / f.length;
-  SideDerivative d;
+  WingDerivative d;
   const Matrix3 reflect = Matrix3::Identity() - 2 / s.square * s.normal * s.normal.transpose();
   d.gradient = -f.length / s.square * reflect * normal - s.normal / s.square * length;
   const double square = f.length * f.length;
@@ -101,7 +101,7 @@ Vector12 dihedral_gradient(const Hinge& x) {
 
 Matrix12 dihedral_hessian(const Hinge& x) {
   const Frame f = frame(x);
-  const SideDerivative first = differentiate(x, f, f.first, 1), second = differentiate(x, f, f.second, -1);
+  const WingDerivative first = differentiate(x, f, f.first, 1), second = differentiate(x, f, f.second, -1);
   Matrix12 h;
   h.middleRows<3>(0) = -(1 - f.first.foot) * first.gradient + f.first.gradient * first.foot -
                        (1 - f.second.foot) * second.gradient + f.second.gradient * second.foot;

@@ -117,7 +117,7 @@ Json material(const Textile& textile, const TextileImage& image) {
 }
 
 /// Which triangles, in the primitive's order, are of which piece.
-Json pieces(const Garment& garment, const PMesh& mesh) {
+Json piece_extents(const Garment& garment, const PMesh& mesh) {
   Json pieces = Json::array();
   const std::vector<PieceRange> ranges = piece_ranges(mesh, garment.pieces.size());
   for (std::size_t i = 0; i < ranges.size(); ++i) {
@@ -171,7 +171,7 @@ std::string glb(const DrapedGarment& draped) {
       {"nodes", Json::array({{{"name", garment.name}, {"mesh", 0}}})},
       {"meshes", Json::array({{{"name", garment.name},
                                {"primitives", Json::array({primitive})},
-                               {"extras", {{"pieces", pieces(garment, draped.mesh->p)}}}}})},
+                               {"extras", {{"pieces", piece_extents(garment, draped.mesh->p)}}}}})},
       {"materials", Json::array({material(garment.textile, textile)})},
       {"textures", Json::array({{{"sampler", 0}, {"source", 0}}})},
       {"images", Json::array({{{"bufferView", picture}, {"mimeType", "image/png"}}})},

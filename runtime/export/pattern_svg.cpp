@@ -18,7 +18,7 @@ namespace toile {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kMargin = 0.02, kGap = 0.025;  // [m] around the sheet, between pieces
 constexpr double kTitle = 0.011, kNote = 0.0055,
                  kLine = 0.0085;                        // [m] letters and line spacing of the sheet's own text
@@ -113,7 +113,7 @@ std::string badge(Vec2 at, const Letter& sign) {
 // Text along a line is never upside down.
 double upright(Vec2 tangent) {
   const double angle = std::atan2(tangent.y, tangent.x);
-  return angle > kPi / 2 + 1e-6 ? angle - kPi : angle <= -kPi / 2 + 1e-6 ? angle + kPi : angle;
+  return angle > pi / 2 + 1e-6 ? angle - pi : angle <= -pi / 2 + 1e-6 ? angle + pi : angle;
 }
 
 std::string arrow(Vec2 middle, Vec2 along, double length) {

@@ -3,13 +3,11 @@
 #include <algorithm>
 #include <cmath>
 
+#include "runtime/mesh/index.hpp"
+
 namespace toile {
 
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Whether the triangle walks the edge opposite to `corner` from its smaller vertex to its larger.
 bool walks_upwards(const std::array<int, 3>& triangle, int corner) {

@@ -10,7 +10,7 @@ namespace toile::svg {
 
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 std::string drawn(const LineSegment& line) {
   return "L" + place(line.to);
@@ -19,7 +19,7 @@ std::string drawn(const LineSegment& line) {
 // A flag of SVG's arc says "clockwise on paper"; arcs beyond a half circle are drawn in parts, so that the other flag,
 // "the longer way", is never needed.
 std::string drawn(const ArcSegment& arc) {
-  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (0.75 * kPi))));
+  const int parts = std::max(1, static_cast<int>(std::ceil(std::abs(arc.sweep) / (0.75 * pi))));
   const std::string radius = mm(arc.radius);
   std::string data;
   for (int i = 1; i <= parts; ++i) {
@@ -95,7 +95,7 @@ std::string line(std::string_view css_class, Vec2 from, Vec2 to) {
 }
 
 std::string text(std::string_view css_class, Vec2 at, double size, std::string_view content, double angle) {
-  const std::string degrees = fmt::format("{:.2f}", -angle * 180 / kPi);
+  const std::string degrees = fmt::format("{:.2f}", -angle * 180 / pi);
   // A third of the letters' size below the middle: the baseline of capitals that are centred on it.
   return fmt::format("<text class=\"{}\" font-size=\"{}\" transform=\"translate({}) rotate({})\" y=\"{}\">{}</text>\n",
                      css_class, mm(size), place(at), degrees == "-0.00" ? "0.00" : degrees, mm(0.35 * size),

@@ -8,14 +8,14 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 constexpr double kRoughness = 0.5;  // of the fibres' directions; 1 is a fuzz without direction
 
 double sheen_value(double cos_light, double cos_view, double cos_half) {
   constexpr double kInverse = 1 / kRoughness;
   static_assert(kInverse == 2.0, "the power of the sine is written out below");
   const double sine_squared = std::max(0.0, 1 - cos_half * cos_half);
-  const double distribution = (2 + kInverse) / (2 * kPi) * sine_squared;
+  const double distribution = (2 + kInverse) / (2 * pi) * sine_squared;
   const double visibility = 1 / (4 * (cos_light + cos_view - cos_light * cos_view));
   return distribution * visibility;
 }
@@ -53,12 +53,12 @@ struct SheenTable {
       const double cos_light = (i + 0.5) / kCosines;
       const double sin_light = std::sqrt(1 - cos_light * cos_light);
       for (int k = 0; k < kAngles; ++k) {
-        const double between = cos_light * cos_view + sin_light * sin_view * std::cos(kPi * (k + 0.5) / kAngles);
+        const double between = cos_light * cos_view + sin_light * sin_view * std::cos(pi * (k + 0.5) / kAngles);
         const double cos_half = (cos_light + cos_view) / std::sqrt(2 + 2 * between);
         sum += sheen_value(cos_light, cos_view, cos_half) * cos_light;
       }
     }
-    return sum * 2 * kPi / (kCosines * kAngles);
+    return sum * 2 * pi / (kCosines * kAngles);
   }
 };
 
@@ -79,7 +79,7 @@ Rgb ClothBrdf::operator()(double cos_light, double cos_view, double cos_half) co
   const SheenTable& table = sheen_table();
   const Rgb in = grey(1) - table(cos_light) * sheen_;
   const Rgb out = grey(1) - table(cos_view) * sheen_;
-  return (1 / kPi) * (base_ * in * out / rest_) + sheen_value(cos_light, cos_view, cos_half) * sheen_;
+  return (1 / pi) * (base_ * in * out / rest_) + sheen_value(cos_light, cos_view, cos_half) * sheen_;
 }
 
 Rgb ClothBrdf::operator()(Vec3 normal, Vec3 to_light, Vec3 to_view) const {

@@ -2,14 +2,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "runtime/mesh/index.hpp"
+
 #include "runtime/render/surface.hpp"
 
 namespace toile {
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 /// How far the middle of the cubic arc over ab, at right angles to the two normals at its ends, lies off the chord's.
 Vec3 sagitta(Vec3 a, Vec3 b, Vec3 normal_a, Vec3 normal_b) {
@@ -27,25 +25,25 @@ class FreeEdges {
     for (std::size_t e = 0; e < edges.vertices.size(); ++e) {
       if (edges.wings[e].size() != 1) continue;
       const auto [a, b] = edges.vertices[e];
-      neighbours_[at(a)].push_back(b);
-      neighbours_[at(b)].push_back(a);
+      neighbours_[index(a)].push_back(b);
+      neighbours_[index(b)].push_back(a);
     }
   }
 
   Vec3 middle(int a, int b) const {
-    const Vec3 pa = surface_.points[at(a)];
-    const Vec3 pb = surface_.points[at(b)];
+    const Vec3 pa = surface_.points[index(a)];
+    const Vec3 pb = surface_.points[index(b)];
     return (1.0 / 16) * (9 * (pa + pb) - before(a, b) - before(b, a));
   }
 
  private:
   /// The point before a on the way to b; a straight prolongation at an end or at a corner of the outline.
   Vec3 before(int a, int b) const {
-    const Vec3 pa = surface_.points[at(a)];
-    const Vec3 ahead = surface_.points[at(b)] - pa;
-    const auto& near = neighbours_[at(a)];
+    const Vec3 pa = surface_.points[index(a)];
+    const Vec3 ahead = surface_.points[index(b)] - pa;
+    const auto& near = neighbours_[index(a)];
     if (near.size() == 2) {
-      const Vec3 behind = pa - surface_.points[at(near[0] == b ? near[1] : near[0])];
+      const Vec3 behind = pa - surface_.points[index(near[0] == b ? near[1] : near[0])];
       const bool smooth = dot(ahead, behind) > 0.6 * norm(ahead) * norm(behind);
       const bool even = norm(behind) < 3 * norm(ahead) && norm(ahead) < 3 * norm(behind);
       if (smooth && even) return pa - behind;
@@ -61,14 +59,14 @@ Vec3 middle(const Surface& surface, const EdgeTable& edges, const FreeEdges& fre
   const auto [a, b] = edges.vertices[edge];
   const auto& wings = edges.wings[edge];
   if (wings.size() == 1) return free_edges.middle(a, b);
-  const Vec3 pa = surface.points[at(a)];
-  const Vec3 pb = surface.points[at(b)];
+  const Vec3 pa = surface.points[index(a)];
+  const Vec3 pb = surface.points[index(b)];
   Vec3 off;
   for (const int wing : wings) {
-    const auto& triangle = surface.triangles[at(wing / 3)];
-    const auto& normals = surface.normals[at(wing / 3)];
-    const std::size_t first = at((wing % 3 + 1) % 3);
-    const std::size_t second = at((wing % 3 + 2) % 3);
+    const auto& triangle = surface.triangles[index(wing / 3)];
+    const auto& normals = surface.normals[index(wing / 3)];
+    const std::size_t first = index((wing % 3 + 1) % 3);
+    const std::size_t second = index((wing % 3 + 2) % 3);
     const bool forward = triangle[first] == a;
     off += sagitta(pa, pb, normals[forward ? first : second], normals[forward ? second : first]);
   }
@@ -83,7 +81,7 @@ void divide_linearly(const std::vector<Corners<T>>& from, std::vector<Corners<T>
   to.reserve(4 * from.size());
   for (const auto& c : from) {
     const std::array<T, 6> all{c[0], c[1], c[2], 0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])};
-    for (const auto& part : kParts) to.push_back({all[at(part[0])], all[at(part[1])], all[at(part[2])]});
+    for (const auto& part : kParts) to.push_back({all[index(part[0])], all[index(part[1])], all[index(part[2])]});
   }
 }
 
@@ -105,7 +103,8 @@ Surface divided(const Surface& surface, double crease) {
     const auto& edge = edges.edge_of_corner[t];
     const std::array<int, 6> all{
         corner[0], corner[1], corner[2], first_middle + edge[0], first_middle + edge[1], first_middle + edge[2]};
-    for (const auto& part : kParts) result.triangles.push_back({all[at(part[0])], all[at(part[1])], all[at(part[2])]});
+    for (const auto& part : kParts)
+      result.triangles.push_back({all[index(part[0])], all[index(part[1])], all[index(part[2])]});
   }
   divide_linearly(surface.uv, result.uv);
   divide_linearly(surface.seam, result.seam);

@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 /// Rays start this far off a surface of unit size: well above the rounding of single precision.
 constexpr double kOffset = 2e-5;
 constexpr double kWrongSide = 0.80;  // the inside of a cloth is a little duller
@@ -54,7 +54,7 @@ Shaded Shading::actor(const Spot& spot, Vec3 to_viewer, Sample2 key, Sample2 dom
   // Drawn with the cosine: what remains of the estimate is pi times the scattering.
   const Vec3 to_dome = cosine_direction(Frame(spot.normal), dome);
   const Rgb scattered = brdf(spot.normal, to_dome, to_viewer);
-  if (luminance(scattered) > 0) seen += kPi * (scattered * incoming({origin, to_dome}));
+  if (luminance(scattered) > 0) seen += pi * (scattered * incoming({origin, to_dome}));
 
   if (false_colour) return {base, mix(grey(1), grey(luminance(seen)), kFieldContrast)};
   return {base, seen / base};
@@ -73,8 +73,8 @@ Rgb Shading::floor(Vec3 position, Sample2 key, Sample2 dome) const {
   const Rgb key_light = std::max(0.0, studio_.key_direction().z) * studio_.key_irradiance();
   // With the actors and without them under the same draw, so that an open floor is exactly 1 and no sample is negative.
   const Vec3 to_dome = cosine_direction(up, dome);
-  const Rgb open = key_light + kPi * studio_.dome(to_dome);
-  Rgb reached = kPi * incoming({origin, to_dome});
+  const Rgb open = key_light + pi * studio_.dome(to_dome);
+  Rgb reached = pi * incoming({origin, to_dome});
   if (!stage_.rays().is_blocked({origin, to_key})) reached += key_light;
   return reached / open;
 }

@@ -2,14 +2,12 @@
 #include <cmath>
 #include <cstddef>
 
+#include "runtime/mesh/index.hpp"
+
 #include "runtime/render/stage.hpp"
 
 namespace toile {
 namespace {
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 template <typename T>
 T interpolated(const Corners<T>& corner, const RayHit& hit) {
@@ -19,11 +17,11 @@ T interpolated(const Corners<T>& corner, const RayHit& hit) {
 }  // namespace
 
 Spot Stage::spot(const Ray& ray, const RayHit& hit, double pixel) const {
-  const Actor& actor = actors_[at(hit.mesh)];
+  const Actor& actor = actors_[index(hit.mesh)];
   const Surface& surface = actor.surface;
-  const auto& triangle = surface.triangles[at(hit.triangle)];
-  const Corners<Vec3> corner{surface.points[at(triangle[0])], surface.points[at(triangle[1])],
-                             surface.points[at(triangle[2])]};
+  const auto& triangle = surface.triangles[index(hit.triangle)];
+  const Corners<Vec3> corner{surface.points[index(triangle[0])], surface.points[index(triangle[1])],
+                             surface.points[index(triangle[2])]};
   Spot spot;
   spot.actor = &actor;
   spot.position = interpolated(corner, hit);
@@ -31,7 +29,7 @@ Spot Stage::spot(const Ray& ray, const RayHit& hit, double pixel) const {
   const Vec3 second = corner[2] - corner[0];
   const Vec3 doubled = cross(first, second);
   const Vec3 flat = norm(doubled) > 0 ? normalized(doubled) : -ray.direction;
-  const Vec3 smooth = interpolated(surface.normals[at(hit.triangle)], hit);
+  const Vec3 smooth = interpolated(surface.normals[index(hit.triangle)], hit);
   spot.right_side = dot(flat, ray.direction) < 0;
   spot.flat = spot.right_side ? flat : -flat;
   spot.normal = norm(smooth) > 0 ? normalized(smooth) : flat;
@@ -41,11 +39,11 @@ Spot Stage::spot(const Ray& ray, const RayHit& hit, double pixel) const {
   const double facing = -dot(spot.normal, ray.direction);
   if (facing < kLeast) spot.normal = normalized(spot.normal + (kLeast - facing) * -ray.direction);
 
-  if (!surface.value.empty()) spot.value = interpolated(surface.value[at(hit.triangle)], hit);
+  if (!surface.value.empty()) spot.value = interpolated(surface.value[index(hit.triangle)], hit);
   if (surface.uv.empty()) return spot;
-  const Vec3 seams = interpolated(surface.seam[at(hit.triangle)], hit);
+  const Vec3 seams = interpolated(surface.seam[index(hit.triangle)], hit);
   spot.seam = std::min({seams.x, seams.y, seams.z});
-  const auto& uv = surface.uv[at(hit.triangle)];
+  const auto& uv = surface.uv[index(hit.triangle)];
   spot.uv = interpolated(uv, hit);
   // What a pixel covers: its disc, projected along the ray onto the triangle, in barycentrics, then in u and v.
   const double area2 = dot(doubled, doubled);

@@ -6,16 +6,14 @@
 #include <numbers>
 #include <variant>
 
+#include "runtime/mesh/index.hpp"
+
 namespace toile {
 namespace {
 
 constexpr double kClothCrease = std::numbers::pi;            // a cloth is smooth wherever it goes on
 constexpr double kBodyCrease = 62 * std::numbers::pi / 180;  // the rim of a disc is an edge
 constexpr Rgb kIvory{0.64, 0.60, 0.53};
-
-std::size_t at(int index) {
-  return static_cast<std::size_t>(index);
-}
 
 bool is_finite(Vec3 p) {
   return std::isfinite(p.x) && std::isfinite(p.y) && std::isfinite(p.z);
@@ -41,14 +39,14 @@ bool is_plane(const Body* body) {
 /// The points drawn of a cloth: none where its positions do not fit it.
 bool fits(const DressedCloth& cloth) {
   return cloth.cloth != nullptr && cloth.positions != nullptr &&
-         cloth.positions->size() >= at(cloth.cloth->vertex_count);
+         cloth.positions->size() >= index(cloth.cloth->vertex_count);
 }
 
 /// The distances of a triangle's corners to those of its sides that are sewn: linear over the triangle.
 Corners<Vec3> seam_distances(const Cloth& cloth, const ClothTriangle& triangle) {
   Corners<Vec3> result{};
   const auto distance_of = [&](std::size_t corner, std::size_t side) {
-    const std::size_t edge = at(triangle.edges[side]);
+    const std::size_t edge = index(triangle.edges[side]);
     if (edge >= cloth.edges.size() || cloth.edges[edge].seam < 0) return kNoSeam;
     if (corner != side) return 0.0;
     const Vec2 base = triangle.uv[(side + 2) % 3] - triangle.uv[(side + 1) % 3];
@@ -66,7 +64,7 @@ std::optional<FieldScale> common_scale(const std::vector<DressedCloth>& cloths, 
   for (const DressedCloth& cloth : cloths) {
     if (!fits(cloth) || !cloth.shown || cloth.shown->name != field.name) continue;
     std::vector<double> own = at_vertices(*cloth.shown, *cloth.cloth);
-    own.resize(at(cloth.cloth->vertex_count), 0.0);
+    own.resize(index(cloth.cloth->vertex_count), 0.0);
     std::vector<double> weight = cloth.cloth->area_of_vertex;
     weight.resize(own.size(), 0.0);
     values.insert(values.end(), own.begin(), own.end());
@@ -140,12 +138,12 @@ void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>
   for (const Vec3& p : *cloth.positions) surface.points.push_back(is_finite(p) ? to_stage(p) : Vec3{});
   const std::vector<double> values = scale ? at_vertices(*cloth.shown, *cloth.cloth) : std::vector<double>{};
   const auto value = [&](int vertex) {
-    const double v = at(vertex) < values.size() ? values[at(vertex)] : 0;
+    const double v = index(vertex) < values.size() ? values[index(vertex)] : 0;
     return std::isfinite(v) ? v : 0;
   };
   for (const ClothTriangle& triangle : cloth.cloth->triangles) {
     const auto& corner = triangle.vertices;
-    if (!std::all_of(corner.begin(), corner.end(), [&](int i) { return is_finite((*cloth.positions)[at(i)]); }))
+    if (!std::all_of(corner.begin(), corner.end(), [&](int i) { return is_finite((*cloth.positions)[index(i)]); }))
       continue;
     surface.triangles.push_back(corner);
     surface.uv.push_back(triangle.uv);
@@ -172,7 +170,7 @@ void Stage::add_body(const Body& body) {
 
   std::vector<Vec3> outward(surface.points.size());
   for (std::size_t t = 0; t < surface.triangles.size(); ++t) {
-    for (std::size_t c = 0; c < 3; ++c) outward[at(surface.triangles[t][c])] += surface.normals[t][c];
+    for (std::size_t c = 0; c < 3; ++c) outward[index(surface.triangles[t][c])] += surface.normals[t][c];
   }
   const double inset = std::min(kInset / size_, 0.01);
   for (std::size_t i = 0; i < outward.size(); ++i) {

@@ -7,6 +7,8 @@
 #include <numeric>
 #include <utility>
 
+#include "runtime/mesh/index.hpp"
+
 namespace toile {
 
 namespace {
@@ -15,10 +17,6 @@ constexpr std::size_t kSamples = 512;
 constexpr std::size_t kHarmonics = 32;
 constexpr double kProminence = 0.05;
 constexpr int kOval = 2;
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// Points at equal distances along a closed line; empty for a line without length.
 std::vector<Vec3> resampled(const std::vector<Vec3>& loop) {

@@ -7,16 +7,13 @@
 #include "runtime/contact/self_intersections.hpp"
 #include "runtime/drape/spread.hpp"
 #include "runtime/field/field.hpp"
+#include "runtime/mesh/index.hpp"
 #include "runtime/report/folds.hpp"
 #include "runtime/report/projection.hpp"
 
 namespace toile {
 
 namespace {
-
-std::size_t index(int i) {
-  return static_cast<std::size_t>(i);
-}
 
 /// The length of an edge in the pattern: the mean of its sides', which differ where fullness is sewn in.
 double rest_length(const SMesh::Edge& edge, const Cloth& cloth) {

@@ -9,7 +9,7 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_point(const Crossing& crossing, Vec2 wanted) {
   EXPECT_NEAR(crossing.point.x, wanted.x, 1e-9);
@@ -48,7 +48,7 @@ TEST(Crossings, LineAndCircleCrossTwice) {
   ASSERT_EQ(found.size(), 2u);
   expect_point(found[0], {-std::sqrt(0.75), 0.5});
   expect_point(found[1], {std::sqrt(0.75), 0.5});
-  EXPECT_NEAR(found[1].s_second, kPi / 6, 1e-9);
+  EXPECT_NEAR(found[1].s_second, pi / 6, 1e-9);
 }
 
 TEST(Crossings, TangentLineTouchesOnce) {

@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 void expect_near(Vec2 found, Vec2 wanted, double tolerance) {
   EXPECT_NEAR(found.x, wanted.x, tolerance);
@@ -39,10 +39,10 @@ rc::Gen<Curve> any_bezier() {
 
 TEST(CurveLength, LinesAndArcsAreExact) {
   EXPECT_DOUBLE_EQ(line({1, 1}, {4, 5}).length(), 5);
-  EXPECT_DOUBLE_EQ(circle({3, 2}, {3.25, 2}).length(), 0.5 * kPi);
-  EXPECT_NEAR(arc_through({1, 0}, {0, 1}, {-1, 0}).length(), kPi, 1e-15);
-  EXPECT_NEAR(arc_of_radius({1, 0}, {0, 1}, 1).length(), kPi / 2, 1e-15);
-  EXPECT_NEAR(arc_of_radius({1, 0}, {0, 1}, 1, true).length(), 3 * kPi / 2, 1e-15);
+  EXPECT_DOUBLE_EQ(circle({3, 2}, {3.25, 2}).length(), 0.5 * pi);
+  EXPECT_NEAR(arc_through({1, 0}, {0, 1}, {-1, 0}).length(), pi, 1e-15);
+  EXPECT_NEAR(arc_of_radius({1, 0}, {0, 1}, 1).length(), pi / 2, 1e-15);
+  EXPECT_NEAR(arc_of_radius({1, 0}, {0, 1}, 1, true).length(), 3 * pi / 2, 1e-15);
 }
 
 TEST(CurveLength, ParabolaMeetsItsClosedForm) {
@@ -89,18 +89,18 @@ TEST(CurveTangent, ExistsWhereControlPointsCoincide) {
 }
 
 TEST(CurveArcs, TurnTheWayTheyAreAsked) {
-  expect_near(arc_of_radius({0, 0}, {1, 0}, 0.5).at(kPi / 4), {0.5, -0.5}, 1e-12);  // left: bulges to the right
-  expect_near(arc_of_radius({0, 0}, {1, 0}, -0.5).at(kPi / 4), {0.5, 0.5}, 1e-12);
+  expect_near(arc_of_radius({0, 0}, {1, 0}, 0.5).at(pi / 4), {0.5, -0.5}, 1e-12);  // left: bulges to the right
+  expect_near(arc_of_radius({0, 0}, {1, 0}, -0.5).at(pi / 4), {0.5, 0.5}, 1e-12);
   expect_near(arc_through({0, 0}, {0.2, -0.1}, {0.3, 0.4}).end(), {0.3, 0.4}, 1e-14);
   EXPECT_TRUE(std::holds_alternative<LineSegment>(arc_through({0, 0}, {1, 1}, {2, 2}).segments()[0]));
-  expect_near(circle({0, 0}, {1, 0}, false).at(kPi / 2), {0, -1}, 1e-12);
+  expect_near(circle({0, 0}, {1, 0}, false).at(pi / 2), {0, -1}, 1e-12);
 }
 
 TEST(TangentCurve, ReproducesAnArc) {
   for (const double turn : {20.0, 60.0, 90.0, -90.0}) {
-    const double radians = turn * kPi / 180;
+    const double radians = turn * pi / 180;
     const Curve arc({ArcSegment{{0, 0}, 0.3, 0.4, radians}});
-    const double quarter = std::copysign(kPi / 2, radians);
+    const double quarter = std::copysign(pi / 2, radians);
     const Curve cubic = tangent_curve(arc.start(), 0.4 + quarter, arc.end(), 0.4 + radians + quarter);
     EXPECT_NEAR(cubic.length(), arc.length(), 3e-4 * arc.length()) << turn;
     for (int i = 0; i <= 10; ++i) {
@@ -112,9 +112,9 @@ TEST(TangentCurve, ReproducesAnArc) {
 TEST(TangentCurve, KeepsItsDirectionsOnALine) {
   const Curve straight = tangent_curve({0, 0}, 0, {0.6, 0}, 0);
   EXPECT_NEAR(straight.length(), 0.6, 1e-14);
-  const Curve wave = tangent_curve({0, 0}, kPi / 4, {1, 0}, kPi / 4);
-  expect_near(wave.tangent(0), direction(kPi / 4), 1e-12);
-  expect_near(wave.tangent(wave.length()), direction(kPi / 4), 1e-12);
+  const Curve wave = tangent_curve({0, 0}, pi / 4, {1, 0}, pi / 4);
+  expect_near(wave.tangent(0), direction(pi / 4), 1e-12);
+  expect_near(wave.tangent(wave.length()), direction(pi / 4), 1e-12);
 }
 
 TEST(CurveMoves, MirrorKeepsTheDirectionOfTravel) {
@@ -125,7 +125,7 @@ TEST(CurveMoves, MirrorKeepsTheDirectionOfTravel) {
     const Vec2 p = curve.at(s);
     expect_near(mirrored.at(s), {0.2 - p.x, p.y}, 1e-10);
   }
-  const Curve turned = curve.rotated(kPi / 2, {0.3, 0.1}).moved({-0.3, -0.1});
+  const Curve turned = curve.rotated(pi / 2, {0.3, 0.1}).moved({-0.3, -0.1});
   expect_near(turned.at(0), {0.1, -0.3}, 1e-12);
 }
 

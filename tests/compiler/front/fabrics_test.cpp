@@ -13,7 +13,7 @@ using testing::IsEmpty;
 using testing::SizeIs;
 using testing::StartsWith;
 
-const std::string square =
+const std::string square_piece =
     "  piece p {\n    outline from (0cm, 0cm) {\n      a = line to (10cm, 0cm)\n      b = line to (10cm, 10cm)\n"
     "      c = line to (0cm, 10cm)\n      d = line to start\n    }\n  }\n}\n";
 
@@ -22,7 +22,7 @@ TEST(Fabrics, RowsAreConvertedToSi) {
       "fabric serge {\n  source \"a test\"\n  LT 0.6\n  WT 6.0 gf*cm/cm^2, 9.0 gf*cm/cm^2\n  EMT 4%, 6%\n"
       "  G 0.6 gf/cm/deg\n  2HG 0.7 gf/cm\n  B 0.07 gf*cm^2/cm, 0.06 gf*cm^2/cm\n  2HB 0.025 gf*cm/cm\n"
       "  T0 0.7 mm\n  W 19.2 mg/cm^2\n  MIU 0.18\n}\ngarment g in serge {\n" +
-      square);
+      square_piece);
   ASSERT_THAT(script.told(), IsEmpty());
   const FabricSheet& sheet = script.program->garments().at(0).fabric;
   EXPECT_EQ(sheet.name, "serge");
@@ -48,7 +48,7 @@ TEST(Fabrics, WeightAndBendingAreAskedForByName) {
 
 TEST(Fabrics, AVariationKeepsTheOtherRows) {
   const Script script("import fabrics\nfabric heavy = fabrics.denim with {\n  W 60 mg/cm^2\n}\ngarment g in heavy {\n" +
-                      square);
+                      square_piece);
   ASSERT_THAT(script.told(), IsEmpty());
   const FabricSheet& sheet = script.program->garments().at(0).fabric;
   EXPECT_DOUBLE_EQ(*sheet.weight, 0.6);
@@ -74,7 +74,7 @@ TEST(Fabrics, TensileRowsThatContradictEachOtherAreAWarning) {
 
 TEST(Textiles, ThreadsBecomeStripes) {
   const Script script("textile t {\n  thread 0.5mm\n  warp 8, #1f3a5f, 2, #ffffff\n}\ngarment g printed t {\n" +
-                      square);
+                      square_piece);
   ASSERT_THAT(script.told(), IsEmpty());
   const Textile& textile = script.program->garments().at(0).textile;
   ASSERT_THAT(textile.warp, SizeIs(2));

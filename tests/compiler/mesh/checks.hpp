@@ -29,7 +29,7 @@ inline double area(const PMesh& mesh) {
 inline double angle(const PMesh& mesh, const std::array<int, 3>& t, int corner) {
   const Vec2 at = mesh.points[t[corner]];
   const Vec2 a = mesh.points[t[(corner + 1) % 3]] - at, b = mesh.points[t[(corner + 2) % 3]] - at;
-  return std::atan2(cross(a, b), dot(a, b)) * 180 / kPi;
+  return std::atan2(cross(a, b), dot(a, b)) * 180 / pi;
 }
 
 struct AngleFigures {

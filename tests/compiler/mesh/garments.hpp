@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cmath>
+#include <numbers>
 #include <string>
 #include <utility>
 #include <vector>
@@ -10,7 +11,7 @@
 
 namespace toile::test {
 
-inline constexpr double kPi = 3.14159265358979323846;
+using std::numbers::pi;
 
 inline PieceEdge edge(std::string name, Curve curve) {
   PieceEdge e;
@@ -141,9 +142,9 @@ inline Piece skirt_panel(std::string name, double waist, double length, double f
   const Vec2 left{-w, 0.012}, right{w, 0.012}, low_left{-w - flare, -length}, low_right{w + flare, -length};
   const Vec2 mouth_left{-0.0125, 0}, mouth_right{0.0125, 0}, tip{0, -0.09};
   return piece(std::move(name),
-               {edge("waist", tangent_curve(right, kPi + 0.17, mouth_right, kPi)),
+               {edge("waist", tangent_curve(right, pi + 0.17, mouth_right, pi)),
                 edge("dart.left", line(mouth_right, tip)), edge("dart.right", line(tip, mouth_left)),
-                edge("waist", tangent_curve(mouth_left, kPi, left, kPi - 0.17)), edge("side", line(left, low_left)),
+                edge("waist", tangent_curve(mouth_left, pi, left, pi - 0.17)), edge("side", line(left, low_left)),
                 edge("hem", tangent_curve(low_left, -0.25, low_right, 0.25)), edge("side", line(low_right, right))});
 }
 

@@ -27,7 +27,7 @@ double mean_edge(const PMesh& mesh) {
 
 TEST(Pieces, HaveGoodAnglesAndTheTargetEdge) {
   for (const Piece& piece : {rectangle("square", 0.6, 0.6), disc("disc", 0.3), skirt_panel("skirt", 0.4, 0.6, 0.14),
-                             sector("quarter", 0.7, kPi / 2), gore("gore", 0.2, 0.4)}) {
+                             sector("quarter", 0.7, pi / 2), gore("gore", 0.2, 0.4)}) {
     for (const double target : {0.03, 0.015, 0.008}) {
       SCOPED_TRACE(testing::Message() << piece.name << " at " << target);
       const PMesh mesh = mesh_of(piece, target);
@@ -52,9 +52,9 @@ TEST(Pieces, KeepTheirAreaWithinTheChordError) {
     options.target_edge = 0.05;
     options.chord_error = chord_error;
     const PMesh mesh = make_pmesh(g, options);
-    const double missing = kPi * radius * radius - area(mesh);
+    const double missing = pi * radius * radius - area(mesh);
     EXPECT_GT(missing, 0);
-    EXPECT_LT(missing, 2 * kPi * radius * chord_error);
+    EXPECT_LT(missing, 2 * pi * radius * chord_error);
   }
 }
 
@@ -96,7 +96,7 @@ TEST(Pieces, WhoseChordsWouldCrossAreDividedMoreFinely) {
   options.chord_error = 1e-3;
   const PMesh mesh = make_pmesh(g, options);
   expect_sound(mesh, g);
-  EXPECT_NEAR(area(mesh), kPi * (r * r - (r - gap) * (r - gap)) / 2, 5e-6);
+  EXPECT_NEAR(area(mesh), pi * (r * r - (r - gap) * (r - gap)) / 2, 5e-6);
 }
 
 TEST(Pieces, LeaveHolesOpen) {
@@ -108,7 +108,7 @@ TEST(Pieces, LeaveHolesOpen) {
   const Garment g = garment("holed", {holed});
   const SewnMesh mesh = sew(g, {});
   expect_sound(mesh.p, g);
-  EXPECT_NEAR(area(mesh.p), 0.09 - kPi * 0.0025 - 0.26 * 0.005, 2 * kPi * 0.05 * 0.0002);
+  EXPECT_NEAR(area(mesh.p), 0.09 - pi * 0.0025 - 0.26 * 0.005, 2 * pi * 0.05 * 0.0002);
   EXPECT_EQ(mesh.s.topology.boundary_loops, 3);
   EXPECT_EQ(mesh.s.topology.euler, -1);
   EXPECT_GE(angles(mesh.p).least, 20);
@@ -122,7 +122,7 @@ struct Nasty {
 };
 
 TEST(Pieces, OfNastyShapesAreMeshedAllTheSame) {
-  const double a3 = 3 * kPi / 180;
+  const double a3 = 3 * pi / 180;
   const std::vector<Nasty> shapes{
       {rectangle("strip", 0.8, 0.005), {}, 0, 500},
       {rectangle("thread", 1.0, 0.0005), {}, 0, 8000},

@@ -19,7 +19,7 @@ Piece star(const std::string& name, std::mt19937& random) {
   const int n = 3 + static_cast<int>(random() % 7);
   std::vector<Vec2> corners;
   for (int i = 0; i < n; ++i) {
-    const double angle = 2 * kPi * (i + uniform(random, -0.4, 0.4)) / n;
+    const double angle = 2 * pi * (i + uniform(random, -0.4, 0.4)) / n;
     const double radius = random() % 5 == 0 ? uniform(random, 0.02, 0.05) : uniform(random, 0.1, 0.3);
     corners.push_back(radius * direction(angle));
   }

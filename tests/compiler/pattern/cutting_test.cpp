@@ -7,7 +7,7 @@
 namespace toile {
 namespace {
 
-using namespace toile::testing;
+using namespace toile::test;
 using ::testing::ElementsAre;
 
 void expect_closed_and_ccw(const Piece& piece) {

@@ -10,7 +10,7 @@
 
 #include "compiler/pattern/draft.hpp"
 
-namespace toile::testing {
+namespace toile::test {
 
 /// Every place gets a span of its own, so that tests can tell which places a diagnostic shows.
 inline Location next_place() {
@@ -162,4 +162,4 @@ inline DraftGarment flared_skirt() {
                  {wear({"front.waist", "back.waist"}, "waist")});
 }
 
-}  // namespace toile::testing
+}  // namespace toile::test

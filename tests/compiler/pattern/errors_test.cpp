@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-using namespace toile::testing;
+using namespace toile::test;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 

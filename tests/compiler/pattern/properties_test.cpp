@@ -13,7 +13,7 @@
 namespace toile {
 namespace {
 
-using namespace toile::testing;
+using namespace toile::test;
 
 // One of 0 … count - 1, whatever size the run has come to.
 int pick(int count) {

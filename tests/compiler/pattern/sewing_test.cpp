@@ -6,11 +6,11 @@
 namespace toile {
 namespace {
 
-using namespace toile::testing;
+using namespace toile::test;
 using ::testing::ElementsAre;
 using ::testing::UnorderedElementsAre;
 
-constexpr double kPi = std::numbers::pi;
+using std::numbers::pi;
 
 TEST(Sew, SingleEdgesMeetEndToStart) {
   const Made made = make(garment({rectangle("a", 0.3, 0.5), rectangle("b", 0.2, 0.5)}, {sew({"a.right"}, {"b.left"})}));
@@ -199,7 +199,7 @@ TEST(Wear, WholeCircle) {
   disc.outline = {edge("rim", circle({0, 0}, {0.15, 0}))};
   const Made made = make(garment({disc}, {}, {wear({"disc.rim"}, "waist")}));
   ASSERT_EQ(complaints(made), "");
-  EXPECT_NEAR(made.garment.pieces[0].edges[0].curve.length(), 0.3 * kPi, 1e-12);
+  EXPECT_NEAR(made.garment.pieces[0].edges[0].curve.length(), 0.3 * pi, 1e-12);
   EXPECT_EQ(described(made.garment, made.garment.wears[0].chain), "disc.rim");
 }
 

@@ -103,7 +103,7 @@ std::shared_ptr<const Body> sample_body() {
 // Two halves of a ring between two radii, `opening` [rad] each, seamed at the sides and worn at a line.
 Garment ring_cape(double inner, double length, double opening, const std::string& line_name) {
   const auto half = [&](const char* name) {
-    const double outer = inner + length, from = -test::kPi / 2 - opening / 2;
+    const double outer = inner + length, from = -test::pi / 2 - opening / 2;
     const Vec2 a = inner * direction(from), b = outer * direction(from);
     const Vec2 c = outer * direction(from + opening), d = inner * direction(from + opening);
     return test::piece(name, {test::edge("left", line(a, b)),
@@ -230,8 +230,8 @@ TEST(Placing, SewnSurfacesWithoutABodyTakeTheirOwnShape) {
     low = std::min(low, p.z), high = std::max(high, p.z);
     nearest_axis = std::min(nearest_axis, std::hypot(p.x, p.y));
   }
-  EXPECT_NEAR(high - low, 0.24 / test::kPi, 0.02);  // the tube's diameter
-  EXPECT_GT(nearest_axis, 0.05);                    // and the ring's hole
+  EXPECT_NEAR(high - low, 0.24 / test::pi, 0.02);  // the tube's diameter
+  EXPECT_GT(nearest_axis, 0.05);                   // and the ring's hole
   for (const Garment& g : {test::tube(), test::torus(), test::klein_bottle(), test::projective_plane(),
                            test::moebius_strip(), test::sphere_of_two_discs(), test::cap(6), test::cone(2.0)}) {
     const Start s = start(g, nullptr, 0.03);

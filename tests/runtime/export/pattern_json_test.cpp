@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-using namespace toile::testing;
+using namespace toile::test;
 using Json = nlohmann::json;
 
 TEST(PatternJson, HoldsPiecesSeamsAndWornLines) {

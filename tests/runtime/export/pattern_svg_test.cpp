@@ -15,7 +15,7 @@
 namespace toile {
 namespace {
 
-using namespace toile::testing;
+using namespace toile::test;
 using ::testing::HasSubstr;
 
 std::vector<std::string> all_between(const std::string& text, const std::string& before, const std::string& after) {

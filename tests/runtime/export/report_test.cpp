@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-using Json = nlohmann::ordered_json;
+using OrderedJson = nlohmann::ordered_json;
 
 /// The dotted names of all values, in the order of the file.
-std::vector<std::string> keys(const Json& object, const std::string& prefix = "") {
+std::vector<std::string> keys(const OrderedJson& object, const std::string& prefix = "") {
   std::vector<std::string> all;
   for (const auto& [key, value] : object.items()) {
     if (!value.is_object()) {
@@ -27,7 +27,7 @@ std::vector<std::string> keys(const Json& object, const std::string& prefix = ""
 }
 
 TEST(Report, KeysAreThoseOfTheDocumentation) {
-  const Json report = Json::parse(report_json("tube.toile", draped_tube().view()));
+  const OrderedJson report = OrderedJson::parse(report_json("tube.toile", draped_tube().view()));
   EXPECT_THAT(
       keys(report),
       testing::ElementsAre(
@@ -55,7 +55,7 @@ TEST(Report, KeysAreThoseOfTheDocumentation) {
 }
 
 TEST(Report, TellsWhatTheDrapeFound) {
-  const Json report = Json::parse(report_json("tube.toile", draped_tube(5, 0.2).view()));
+  const OrderedJson report = OrderedJson::parse(report_json("tube.toile", draped_tube(5, 0.2).view()));
   EXPECT_EQ(report["schema"], 1);
   EXPECT_EQ(report["script"], "tube.toile");
   EXPECT_EQ(report["garment"], "tube");
@@ -74,7 +74,7 @@ TEST(Report, SameDrapeSameBytes) {
 }
 
 TEST(Report, SurvivesNamesThatAreNoText) {
-  EXPECT_NO_THROW(Json::parse(report_json("caf\xe9.toile", draped_tube().view())));
+  EXPECT_NO_THROW(OrderedJson::parse(report_json("caf\xe9.toile", draped_tube().view())));
 }
 
 TEST(Summary, MeasuresTheMeshInThePattern) {
@@ -97,7 +97,7 @@ TEST(Summary, SpreadsWeighByArea) {
 }
 
 TEST(Profile, HasItsKeys) {
-  const Json profile = Json::parse(profile_json({1, 2, 3, 4, 10, 17.5, 123456, 9}));
+  const OrderedJson profile = OrderedJson::parse(profile_json({1, 2, 3, 4, 10, 17.5, 123456, 9}));
   EXPECT_THAT(keys(profile),
               testing::ElementsAre("schema", "seconds.compile", "seconds.mesh", "seconds.place", "seconds.solve",
                                    "seconds.total", "cpu_seconds", "peak_memory_bytes", "factorisations"));

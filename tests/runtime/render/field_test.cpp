@@ -15,7 +15,7 @@ namespace {
 using ::testing::ElementsAre;
 
 TEST(Field, EveryNameIsAFieldOfTheRightSize) {
-  const Cloth cloth = testing::square_cloth(3, 0.3);
+  const Cloth cloth = test::square_cloth(3, 0.3);
   const Drape nothing_measured;
   EXPECT_EQ(field_names().size(), 10u);
   for (const std::string& name : field_names()) {
@@ -28,7 +28,7 @@ TEST(Field, EveryNameIsAFieldOfTheRightSize) {
 }
 
 TEST(Field, ReadsTheDrapeInItsUnit) {
-  const Cloth cloth = testing::square_cloth(1, 0.1);
+  const Cloth cloth = test::square_cloth(1, 0.1);
   Drape drape;
   drape.strain_warp = {0.02, NAN};
   drape.shear_angle = {0.1, 0.2};
@@ -43,7 +43,7 @@ TEST(Field, ReadsTheDrapeInItsUnit) {
 }
 
 TEST(Field, VerticesTakeTheAreaWeightedMeanOfTheirTriangles) {
-  const Cloth cloth = testing::square_cloth(1, 1.0);  // two triangles: 0 1 3 and 0 3 2
+  const Cloth cloth = test::square_cloth(1, 1.0);  // two triangles: 0 1 3 and 0 3 2
   const Field f{.name = "x", .unit = "", .values = {1, 3}};
   EXPECT_THAT(at_vertices(f, cloth), ElementsAre(2, 1, 3, 2));
 }

@@ -24,8 +24,8 @@ struct Look {
 
 TEST(Light, WhiteFoldedClothUnderAWhiteSkyIsNeitherDarkerNorBrighter) {
   const int n = 24;
-  const Cloth cloth = testing::square_cloth(n, 0.4);
-  const auto positions = testing::placed(n, [](double u, double v) {
+  const Cloth cloth = test::square_cloth(n, 0.4);
+  const auto positions = test::placed(n, [](double u, double v) {
     return Vec3{0.4 * (u - 0.5), 0.03 * std::sin(25 * u), 0.4 * v + 0.2};
   });
   const Textile white{"", {{Colour{255, 255, 255}, 0.01}}, {{Colour{255, 255, 255}, 0.01}}};
@@ -46,7 +46,7 @@ TEST(Light, WhiteFoldedClothUnderAWhiteSkyIsNeitherDarkerNorBrighter) {
 }
 
 TEST(Light, FloorIsBackdropInTheOpenAndDarkUnderTheSubject) {
-  const testing::SphereBody ball({0, 0, 0.2}, 0.2, 24);
+  const test::SphereBody ball({0, 0, 0.2}, 0.2, 24);
   const Look look({}, &ball, View::Front);
   const auto pixels = look.pixels(Studio(aim(View::Front)), 16);
   double darkest = 1;
@@ -63,7 +63,7 @@ TEST(Light, FloorIsBackdropInTheOpenAndDarkUnderTheSubject) {
 }
 
 TEST(Light, TheSideOfTheKeyLightIsBrighter) {
-  const testing::SphereBody ball({0, 0, 0.2}, 0.2, 24);
+  const test::SphereBody ball({0, 0, 0.2}, 0.2, 24);
   const Look look({}, &ball, View::Front);
   const auto pixels = look.pixels(Studio(aim(View::Front)), 16);
   const auto light = [&](double x, double y) {

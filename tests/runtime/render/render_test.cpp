@@ -14,9 +14,9 @@
 namespace toile {
 namespace {
 
-using testing::hung;
-using testing::SphereBody;
-using testing::square_cloth;
+using test::hung;
+using test::SphereBody;
+using test::square_cloth;
 
 Colour at(const Image& image, int x, int y) {
   const auto i =
@@ -44,7 +44,7 @@ bool is_picture(const Image& image, const RenderOptions& options) {
 
 TEST(Render, DoesNotDependOnTheNumberOfThreads) {
   const Cloth cloth = square_cloth(16, 0.6);
-  const auto positions = testing::placed(16, [](double u, double v) {
+  const auto positions = test::placed(16, [](double u, double v) {
     return Vec3{0.6 * (u - 0.5), 0.6 * (v - 0.5), 0.52 + 0.05 * std::sin(9 * u + 4 * v)};
   });
   const SphereBody ball({0, 0, 0.3}, 0.15, 20);
@@ -103,7 +103,7 @@ TEST(Render, ClothOnABodyIsNotPierced) {
   const int n = 14;
   const Cloth cloth = square_cloth(n, 0.2);
   const double radius = 0.15;
-  const auto positions = testing::placed(n, [&](double u, double v) {
+  const auto positions = test::placed(n, [&](double u, double v) {
     const Vec3 flat{0.2 * (u - 0.5), 0.2 * (v - 0.5), 0};
     const double angle = norm(flat) / radius;
     const Vec3 side = norm(flat) > 0 ? normalized(flat) : Vec3{};

@@ -11,7 +11,7 @@
 #include "runtime/body/body.hpp"
 #include "runtime/mesh/cloth.hpp"
 
-namespace toile::testing {
+namespace toile::test {
 
 /// n x n squares of two triangles, `side` [m] long in warp (u) and weft (v).
 inline Cloth square_cloth(int n, double side) {
@@ -98,4 +98,4 @@ class SphereBody : public Body {
   std::vector<BodyLine> lines_;
 };
 
-}  // namespace toile::testing
+}  // namespace toile::test

@@ -19,7 +19,7 @@ Surface surface(std::vector<Vec3> points, std::vector<Corners<int>> triangles, d
 }
 
 Surface ball(int rings) {
-  const testing::SphereBody body({0, 0, 0}, 1, rings);
+  const test::SphereBody body({0, 0, 0}, 1, rings);
   return surface(body.surface().points, body.surface().triangles, kSmooth);
 }
 
