@@ -59,6 +59,12 @@ std::shared_ptr<const Body> Body::make(const BodySpec& spec, std::string* error)
   return make_mesh_body(spec, std::move(lined));
 }
 
+std::optional<Clearance> Body::clearance(Vec3 p, double reach) const {
+  const std::optional<SurfacePoint> surface = nearest(p, reach);
+  if (!surface) return std::nullopt;
+  return Clearance{surface->distance, surface->normal, {}};
+}
+
 const BodyLine* Body::line(std::string_view name) const {
   for (const BodyLine& candidate : lines()) {
     if (candidate.name == name) return &candidate;

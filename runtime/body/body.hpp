@@ -31,6 +31,13 @@ struct SurfacePoint {
   int triangle = -1;
 };
 
+/// How far a place is from the body, as contact sees it: smooth, also where the surface is made of facets.
+struct Clearance {
+  double distance = 0;            // [m] signed, negative inside
+  Vec3 gradient;                  // by the place; a unit vector but for the smoothing
+  std::array<Vec3, 3> hessian{};  // [1/m] by the place twice, its rows
+};
+
 class Body {
  public:
   struct Surface {
@@ -52,6 +59,8 @@ class Body {
   /// The nearest point of the surface if it lies within `reach` [m] of p, or if p is inside at any depth. Thread-safe,
   /// deterministic.
   virtual std::optional<SurfacePoint> nearest(Vec3 p, double reach) const = 0;
+  /// The same question with an answer that is continuous together with its gradient.
+  virtual std::optional<Clearance> clearance(Vec3 p, double reach) const;
   /// Upper bound of z over the surface, and the centre of the top: where a cloth without worn lines is laid.
   virtual Vec3 top() const = 0;
 };

@@ -4,6 +4,7 @@
 #include <cmath>
 
 #include "runtime/body/pseudonormals.hpp"
+#include "runtime/body/smooth_distance.hpp"
 #include "runtime/body/triangle_tree.hpp"
 
 namespace toile {
@@ -80,6 +81,7 @@ class MeshBody final : public Body {
         lines_(std::move(lined.lines)),
         tree_(surface_),
         normals_(surface_),
+        smooth_(surface_, tree_),
         field_(tree_.bounds(), [this](Vec3 p, double bound) { return search(p, bound).distance; }),
         top_(top_of(surface_)) {}
 
@@ -105,6 +107,13 @@ class MeshBody final : public Body {
     return found;
   }
 
+  std::optional<Clearance> clearance(Vec3 p, double reach) const override {
+    const std::optional<SurfacePoint> surface = nearest(p, reach);
+    if (!surface) return std::nullopt;
+    if (surface->distance > 2 * smooth_.radius()) return Clearance{surface->distance, surface->normal, {}};
+    return smooth_.at(p, surface->distance);
+  }
+
  private:
   SurfacePoint search(Vec3 p, double bound) const {
     constexpr double on_surface = 1e-7;  // [m] closer than this the offset gives no direction
@@ -122,6 +131,7 @@ class MeshBody final : public Body {
   std::vector<BodyLine> lines_;
   TriangleTree tree_;
   Pseudonormals normals_;
+  SmoothDistance smooth_;
   CoarseField field_;
   Vec3 top_;
 };

@@ -1,6 +1,7 @@
 // A bounding volume hierarchy over the triangles of a surface, for nearest points.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <cstdint>
 #include <limits>
@@ -34,6 +35,9 @@ class TriangleTree {
   /// The nearest point no farther than `bound` [m]. Of triangles equally near the first counts, so the answer depends
   /// neither on the bound nor on the tree.
   Hit nearest(Vec3 p, double bound) const;
+  /// Calls visit(Hit) for every triangle closer to p than `radius` [m], in an order of the tree's own.
+  template <class Visit>
+  void within(Vec3 p, double radius, Visit visit) const;
   const BoundingBox& bounds() const { return bounds_; }
 
   static constexpr int width = 4;
@@ -53,5 +57,30 @@ class TriangleTree {
   std::vector<Corners> corners_;  // in the order of the leaves
   std::vector<int> triangle_of_;
 };
+
+template <class Visit>
+void TriangleTree::within(Vec3 p, double radius, Visit visit) const {
+  const double limit = radius * radius;
+  const auto reaches = [&](const Node& node, int c) {
+    const auto gap = [&](double x, int k) { return std::max({node.low[k][c] - x, 0.0, x - node.high[k][c]}); };
+    const double x = gap(p.x, 0), y = gap(p.y, 1), z = gap(p.z, 2);
+    return node.count[c] >= 0 && x * x + y * y + z * z < limit * (1 + 2e-6);
+  };
+  std::array<std::int32_t, 128> stack;  // depth times three, and a node's four children
+  int height = 0;
+  stack[height++] = 0;
+  while (height > 0) {
+    const Node& node = nodes_[stack[--height]];
+    for (int c = 0; c < width; ++c) {
+      if (!reaches(node, c)) continue;
+      if (node.count[c] == 0) stack[height++] = node.child[c];
+      for (int i = node.child[c]; i < node.child[c] + node.count[c]; ++i) {
+        const ClosestOnTriangle where = closest_on_triangle(p, corners_[i].a, corners_[i].b, corners_[i].c);
+        const double squared = dot(p - where.point, p - where.point);
+        if (squared < limit) visit(Hit{triangle_of_[i], squared, where});
+      }
+    }
+  }
+}
 
 }  // namespace toile

@@ -1,5 +1,7 @@
 #include "runtime/contact/body_contact.hpp"
 
+#include <Eigen/Eigenvalues>
+
 #include <algorithm>
 #include <cmath>
 
@@ -8,8 +10,9 @@
 namespace toile {
 namespace {
 
-constexpr double reach = 0.03;         // [m] how far away the body is looked for
-constexpr double elastic_slip = 1e-4;  // [m] how far a sticking point gives before it slips
+constexpr double reach = 0.03;          // [m] how far away the body is looked for
+constexpr double elastic_slip = 1e-4;   // [m] how far a sticking point gives before it slips
+constexpr double least_approach = 0.8;  // of its clearance a point may move before it is measured again
 
 std::vector<ContactPoint> contact_points(const Cloth& cloth) {
   // A quarter of each triangle's area to its corners, three quarters to the middles of its edges.
@@ -28,6 +31,21 @@ std::vector<ContactPoint> contact_points(const Cloth& cloth) {
   return points;
 }
 
+/// Friction against slip, by the limit of its force: the force is 2 u - u^2 of the limit at u = slip / elastic_slip,
+/// and the whole limit from 1 on, so that it is smooth where sticking ends (Li et al., Incremental Potential Contact,
+/// SIGGRAPH 2020, 5.2).
+double pull_per_slip(double slip) {
+  const double u = slip / elastic_slip;
+  return u < 1 ? (2 - u) / elastic_slip : 1 / slip;
+}
+double work(double slip) {
+  const double u = slip / elastic_slip;
+  return u < 1 ? elastic_slip * u * u * (1 - u / 3) : slip - elastic_slip / 3;
+}
+double slip_at(double share) {
+  return elastic_slip * (1 - std::sqrt(std::max(1 - share, 0.0)));
+}
+
 }  // namespace
 
 BodyContact::BodyContact(const Cloth& cloth, const Body& body, double gap, double friction)
@@ -38,7 +56,7 @@ BodyContact::BodyContact(const Cloth& cloth, const Body& body, double gap, doubl
       points_(contact_points(cloth)),
       grips_(points_.size()),
       touches_(points_.size()),
-      clearance_(points_.size()) {}
+      leeway_(points_.size()) {}
 
 Vector3 BodyContact::place(const ContactPoint& point, const Vector& q) const {
   return 0.5 * (q.segment<3>(3 * point.first) + q.segment<3>(3 * point.second));
@@ -52,12 +70,14 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const Vector& q) con
     for (std::size_t i = begin; i < end; ++i) {
       const Vector3 at = place(points_[i], q);
       touches_[i] = {};
-      Clearance& clearance = clearance_[i];
-      if ((at - clearance.at).norm() < clearance.free) continue;
-      const std::optional<SurfacePoint> nearest = body_.nearest(to_vec3(at), reach);
-      clearance = {at, (nearest ? nearest->distance : reach) - gap_};
-      if (nearest && nearest->distance < gap_)
-        touches_[i] = {true, to_eigen(nearest->normal), gap_ - nearest->distance};
+      Leeway& leeway = leeway_[i];
+      if ((at - leeway.at).norm() < leeway.free) continue;
+      const std::optional<Clearance> clear = body_.clearance(to_vec3(at), reach);
+      leeway = {at, least_approach * ((clear ? clear->distance : reach) - gap_)};
+      if (!clear || clear->distance >= gap_) continue;
+      Matrix3 curvature;
+      for (int k = 0; k < 3; ++k) curvature.row(k) = to_eigen(clear->hessian[static_cast<std::size_t>(k)]);
+      touches_[i] = {true, gap_ - clear->distance, to_eigen(clear->gradient), curvature};
     }
   });
   return touches_;
@@ -66,6 +86,11 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const Vector& q) con
 Vector3 BodyContact::slip(const Grip& grip, const Vector3& at) const {
   const Vector3 away = at - grip.anchor;
   return away - away.dot(grip.normal) * grip.normal;
+}
+
+Vector3 BodyContact::pull(const Grip& grip, const Vector3& at) const {
+  const Vector3 slid = slip(grip, at);
+  return grip.limit * pull_per_slip(slid.norm()) * slid;
 }
 
 double BodyContact::energy(const Vector& q, Vector* gradient) const {
@@ -78,11 +103,9 @@ double BodyContact::energy(const Vector& q, Vector* gradient) const {
       derivative -= stiffness_ * touches[i].depth * points_[i].area * touches[i].normal;
     }
     if (grips_[i].holds) {
-      const Vector3 slid = slip(grips_[i], place(points_[i], q));
-      const double length = slid.norm();
-      const bool sticks = length < elastic_slip;
-      energy += grips_[i].limit * (sticks ? 0.5 * length * length / elastic_slip : length - 0.5 * elastic_slip);
-      derivative += grips_[i].limit / std::max(length, elastic_slip) * slid;
+      const Vector3 at = place(points_[i], q);
+      energy += grips_[i].limit * work(slip(grips_[i], at).norm());
+      derivative += pull(grips_[i], at);
     }
     if (gradient == nullptr || !(touches[i].in || grips_[i].holds)) continue;
     gradient->segment<3>(3 * points_[i].first) += 0.5 * derivative;
@@ -106,20 +129,32 @@ void BodyContact::add_block(const ContactPoint& point, const Matrix3& block, Spa
   add(point.first, point.second, 0.25);
 }
 
-void BodyContact::add_hessian(const Vector& q, Curvature, SparseMatrix& matrix) const {
+Matrix3 BodyContact::normal_block(const Touch& touch, double area, Curvature curvature) const {
+  Matrix3 bend = -touch.depth * touch.curvature;
+  if (curvature == Curvature::PositiveDefinite) {
+    Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
+    eigen.computeDirect(bend);
+    bend = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
+  }
+  return stiffness_ * area * (touch.normal * touch.normal.transpose() + bend);
+}
+
+void BodyContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const {
   const std::vector<Touch>& touches = this->touches(q);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     if (!touches[i].in && !grips_[i].holds) continue;
     Matrix3 block = Matrix3::Zero();
-    if (touches[i].in) block += stiffness_ * points_[i].area * touches[i].normal * touches[i].normal.transpose();
+    if (touches[i].in) block += normal_block(touches[i], points_[i].area, curvature);
     if (grips_[i].holds) {
       const Grip& grip = grips_[i];
       const Vector3 slid = slip(grip, place(points_[i], q));
       const double length = slid.norm();
-      Matrix3 tangent = Matrix3::Identity() - grip.normal * grip.normal.transpose();
-      // A point at the cone is taken to go on slipping: its spring no longer resists along the way.
-      if (length > 0.99 * elastic_slip) tangent -= slid * slid.transpose() / (length * length);
-      block += grip.limit / std::max(length, elastic_slip) * tangent;
+      const Matrix3 tangent = Matrix3::Identity() - grip.normal * grip.normal.transpose();
+      block += grip.limit * pull_per_slip(length) * tangent;
+      // The pull grows less than in proportion, and past the cone not at all.
+      const double loss = length < elastic_slip ? 1 / (elastic_slip * elastic_slip * std::max(length, 1e-12))
+                                                : 1 / (length * length * length);
+      block -= grip.limit * loss * slid * slid.transpose();
     }
     add_block(points_[i], block, matrix);
   }
@@ -135,13 +170,16 @@ void BodyContact::accept(const Vector& q) {
       continue;
     }
     const Vector3 at = place(points_[i], q);
-    if (!grip.holds) grip.anchor = at;
+    // The force goes on as it is, turned into the plane of the new normal and cut at the new cone: a change of the
+    // normal force alone moves nothing that sticks.
+    Vector3 force = grip.holds ? pull(grip, at) : Vector3::Zero();
     grip.holds = true;
-    grip.normal = touches[i].normal;
+    grip.normal = touches[i].normal.normalized();
     grip.limit = friction_ * stiffness_ * touches[i].depth * points_[i].area;
-    const Vector3 slid = slip(grip, at);
-    const double length = slid.norm();
-    if (length > elastic_slip) grip.anchor += (1 - elastic_slip / length) * slid;
+    force -= force.dot(grip.normal) * grip.normal;
+    const double size = force.norm();
+    grip.anchor = at;
+    if (size > 0) grip.anchor -= slip_at(size / grip.limit) / size * force;
   }
 }
 
@@ -156,11 +194,10 @@ ContactForces BodyContact::forces(const Vector& q) const {
       sum.max_depth = std::max(sum.max_depth, touches[i].depth);
     }
     if (grips_[i].holds) {
-      const Vector3 slid = slip(grips_[i], place(points_[i], q));
-      const double length = slid.norm();
-      sum.friction -= grips_[i].limit / std::max(length, elastic_slip) * slid;
-      sum.friction_energy += grips_[i].limit * (length < elastic_slip ? 0.5 * length * length / elastic_slip
-                                                                      : length - 0.5 * elastic_slip);
+      const Vector3 at = place(points_[i], q);
+      const double length = slip(grips_[i], at).norm();
+      sum.friction -= pull(grips_[i], at);
+      sum.friction_energy += grips_[i].limit * work(length);
     }
   }
   return sum;

@@ -43,8 +43,9 @@ class BodyContact : public Form {
  private:
   struct Touch {
     bool in = false;
-    Vector3 normal = Vector3::Zero();
-    double depth = 0;  // [m]
+    double depth = 0;                     // [m]
+    Vector3 normal = Vector3::Zero();     // the depth's steepest fall; a unit vector but for the body's smoothing
+    Matrix3 curvature = Matrix3::Zero();  // [1/m] the clearance's second derivative
   };
   /// What of friction lasts from one step of the solver to the next.
   struct Grip {
@@ -54,7 +55,7 @@ class BodyContact : public Form {
     double limit = 0;  // [N] coefficient times normal force
   };
   /// Where a point was when it was last measured, and how far it may move before it can touch.
-  struct Clearance {
+  struct Leeway {
     Vector3 at = Vector3::Zero();
     double free = -1;
   };
@@ -62,6 +63,9 @@ class BodyContact : public Form {
   const std::vector<Touch>& touches(const Vector& q) const;
   Vector3 place(const ContactPoint& point, const Vector& q) const;
   Vector3 slip(const Grip& grip, const Vector3& at) const;
+  /// What the grip takes from a point there, along its slip [N].
+  Vector3 pull(const Grip& grip, const Vector3& at) const;
+  Matrix3 normal_block(const Touch& touch, double area, Curvature curvature) const;
   void add_block(const ContactPoint& point, const Matrix3& block, SparseMatrix& matrix) const;
 
   const Body& body_;
@@ -74,7 +78,7 @@ class BodyContact : public Form {
   // Nearest points of the latest q: energy, gradient and Hessian are asked for at the same place.
   mutable Vector measured_at_;
   mutable std::vector<Touch> touches_;
-  mutable std::vector<Clearance> clearance_;
+  mutable std::vector<Leeway> leeway_;
 };
 
 }  // namespace toile

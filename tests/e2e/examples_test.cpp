@@ -45,6 +45,13 @@ std::vector<std::string> names() {
   return all;
 }
 
+TEST_P(Example, RestsToAMillionthWhenAsked) {
+  const CommandLine call;
+  const std::string script = fmt::format("{0}/examples/{1}/{1}.toile", TOILE_SOURCE_DIR, GetParam());
+  const Called ran = call.toile(fmt::format("drape '{}' --accuracy 1e-6 --triangles 800 -o cloth.glb", script));
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+}
+
 INSTANTIATE_TEST_SUITE_P(Of, Example, testing::ValuesIn(names()),
                          [](const testing::TestParamInfo<std::string>& one) { return one.param; });
 
