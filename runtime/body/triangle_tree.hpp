@@ -62,8 +62,8 @@ template <class Visit>
 void TriangleTree::within(Vec3 p, double radius, Visit visit) const {
   const double limit = radius * radius;
   const auto reaches = [&](const Node& node, int c) {
-    const auto gap = [&](double x, int k) { return std::max({node.low[k][c] - x, 0.0, x - node.high[k][c]}); };
-    const double x = gap(p.x, 0), y = gap(p.y, 1), z = gap(p.z, 2);
+    const auto apart = [&](double at, int k) { return std::max({node.low[k][c] - at, 0.0, at - node.high[k][c]}); };
+    const double x = apart(p.x, 0), y = apart(p.y, 1), z = apart(p.z, 2);
     return node.count[c] >= 0 && x * x + y * y + z * z < limit * (1 + 2e-6);
   };
   std::array<std::int32_t, 128> stack;  // depth times three, and a node's four children

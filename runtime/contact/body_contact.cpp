@@ -1,7 +1,5 @@
 #include "runtime/contact/body_contact.hpp"
 
-#include <Eigen/Eigenvalues>
-
 #include <algorithm>
 #include <cmath>
 
@@ -130,12 +128,8 @@ void BodyContact::add_block(const ContactPoint& point, const Matrix3& block, Spa
 }
 
 Matrix3 BodyContact::normal_block(const Touch& touch, double area, Curvature curvature) const {
-  Matrix3 bend = -touch.depth * touch.curvature;
-  if (curvature == Curvature::PositiveDefinite) {
-    Eigen::SelfAdjointEigenSolver<Matrix3> eigen;
-    eigen.computeDirect(bend);
-    bend = eigen.eigenvectors() * eigen.eigenvalues().cwiseMax(0).asDiagonal() * eigen.eigenvectors().transpose();
-  }
+  const Matrix3 true_bend = -touch.depth * touch.curvature;
+  const Matrix3 bend = curvature == Curvature::Full ? true_bend : positive_part(true_bend);
   return stiffness_ * area * (touch.normal * touch.normal.transpose() + bend);
 }
 

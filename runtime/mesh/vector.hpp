@@ -19,6 +19,9 @@ inline Vec3 to_vec3(const Vector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+/// The nearest symmetric matrix without negative eigenvalues.
+Matrix3 positive_part(const Matrix3& symmetric);
+
 /// Which second derivative an element gives: the true one, or its part that keeps Newton's matrix positive definite.
 enum class Curvature { Full, PositiveDefinite };
 

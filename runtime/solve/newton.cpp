@@ -28,6 +28,8 @@ class Newton {
   Vector direction() const;
   /// The accepted fraction of the step, 0 when none decreases the energy.
   double search(const Vector& step);
+  /// Doubles an accepted step while the energy goes on falling.
+  void lengthen(const Vector& step, double energy, double slope);
   void settle();
   void adapt(double fraction);
 
@@ -40,6 +42,7 @@ class Newton {
   double rate_ = 0;
   double lift_ = 0;                 // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
   int pause_ = 0, next_pause_ = 1;  // iterations without trying it
+  bool stiffened_ = false;          // the latest factor is of the positive-definite part: its steps are short
 };
 
 double Newton::evaluate(const Vector& q, Vector* gradient) const {
@@ -56,6 +59,7 @@ double Newton::evaluate(const Vector& q, Vector* gradient) const {
 }
 
 bool Newton::factorise(Curvature curvature, double rate) {
+  stiffened_ = curvature == Curvature::PositiveDefinite;
   problem_.matrix->set_zero();
   for (const Form* form : problem_.forms) form->add_hessian(q_, curvature, *problem_.matrix);
   problem_.matrix->add_diagonal(problem_.inertia, rate);
@@ -121,10 +125,22 @@ double Newton::search(const Vector& step) {
     const double energy = evaluate(trial, nullptr);
     if (std::isfinite(energy) && energy <= energy_ + 1e-4 * fraction * slope + noise) {
       q_ = trial;
+      if (fraction == 1 && stiffened_) lengthen(step, energy, slope);
       return fraction;
     }
   }
   return 0;
+}
+
+void Newton::lengthen(const Vector& step, double energy, double slope) {
+  const Vector from = q_ - step;
+  for (double factor = 2; factor * longest(step) <= options_.longest_step; factor *= 2) {
+    const Vector trial = from + factor * step;
+    const double farther = evaluate(trial, nullptr);
+    if (!(farther < energy + 1e-4 * slope)) return;
+    energy = farther;
+    q_ = trial;
+  }
 }
 
 void Newton::settle() {
