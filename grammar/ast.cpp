@@ -33,8 +33,8 @@ std::vector<View> items(View parent) {
   return found;
 }
 
-std::string string_value(View string_or_token, const Source& source) {
-  std::string_view text = source.slice(string_or_token.span());
+std::string string_value(View piece, const Source& source) {
+  std::string_view text = source.slice(piece.span());
   if (text.size() < 2) return {};
   text = text.substr(1, text.size() - 2);
   std::string value;
@@ -70,6 +70,15 @@ std::vector<Property> BodyPart::properties() const {
 }
 std::vector<Property> Dart::properties() const {
   return properties_of(*this);
+}
+std::vector<Expr> Walk::waypoints() const {
+  std::vector<Expr> points;
+  bool through = false;
+  for (const View part : children(*this)) {
+    if (is_keyword(part.kind())) through = part.kind() == Kind::KwThrough;
+    if (const auto point = as<Expr>(part); point && through) points.push_back(*point);
+  }
+  return points;
 }
 std::vector<Token> EdgeRef::path() const {
   return names_of(*this);

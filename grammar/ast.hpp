@@ -11,15 +11,9 @@
 // - Texts are not in the tree: source.slice(view.span()), string_value(), number_value() take the source.
 #pragma once
 
-#include "grammar/view.hpp"
+#include "grammar/ast_expressions.hpp"
 
 namespace toile::syntax {
-
-/// Views of one kind of node.
-template <Kind K>
-struct ViewOf : View {
-  static constexpr bool matches(Kind kind) { return kind == K; }
-};
 
 inline View root(const Tree& tree) {
   return {&tree, Tree::root()};
@@ -28,97 +22,6 @@ inline View root(const Tree& tree) {
 /// The statements directly in the file, in a Block, or in the Block of a statement (Garment, Piece, Outline, Fabric,
 /// …). Statements are the nodes with is_statement(kind()). Empty when there is no block.
 std::vector<View> items(View parent);
-
-// ---------------------------------------------------------------------------------------------------- expressions
-
-/// Any expression; switch over kind() or try as<Binary>(expr) and so on.
-/// Kinds: If Binary Unary Member Call Index NameRef Number String Colour Boolean Tuple List.
-struct Expr : View {
-  static constexpr bool matches(Kind kind) { return is_expression(kind); }
-};
-
-struct If : ViewOf<Kind::If> {
-  std::optional<Expr> condition() const { return after<Expr>(*this, Kind::KwIf); }
-  std::optional<Expr> then() const { return after<Expr>(*this, Kind::KwThen); }
-  std::optional<Expr> otherwise() const { return after<Expr>(*this, Kind::KwElse); }
-};
-
-/// left op right; op().kind() is one of KwOr KwAnd Less LessEqual Greater GreaterEqual Equal NotEqual Plus Minus Star
-/// Slash Caret. `+ - * /` associate to the left, `^` to the right; comparisons do not chain.
-struct Binary : ViewOf<Kind::Binary> {
-  std::optional<Expr> left() const { return child<Expr>(*this, 0); }
-  std::optional<Token> op() const { return child<Token>(*this); }
-  std::optional<Expr> right() const { return child<Expr>(*this, 1); }
-};
-
-/// op().kind() is Minus or KwNot. `-a ^ b` is -(a ^ b).
-struct Unary : ViewOf<Kind::Unary> {
-  std::optional<Token> op() const { return child<Token>(*this); }
-  std::optional<Expr> operand() const { return child<Expr>(*this); }
-};
-
-/// object.name, as `form.waist.girth`; any word may follow the dot.
-struct Member : ViewOf<Kind::Member> {
-  std::optional<Expr> object() const { return child<Expr>(*this); }
-  std::optional<Token> name() const { return token(*this, Kind::Name); }
-};
-
-/// `value`, or `name: value`.
-struct Argument : ViewOf<Kind::Argument> {
-  std::optional<Token> name() const { return token(*this, Kind::Name); }
-  std::optional<Expr> value() const { return child<Expr>(*this); }
-};
-
-struct Call : ViewOf<Kind::Call> {
-  std::optional<Expr> callee() const { return child<Expr>(*this); }
-  std::vector<Argument> arguments() const { return all<Argument>(*this); }
-};
-
-/// object[index]
-struct Index : ViewOf<Kind::Index> {
-  std::optional<Expr> object() const { return child<Expr>(*this, 0); }
-  std::optional<Expr> index() const { return child<Expr>(*this, 1); }
-};
-
-struct NameRef : ViewOf<Kind::NameRef> {
-  std::optional<Token> name() const { return token(*this, Kind::Name); }
-};
-
-/// `60cm`, `0.65 gf/cm/deg`, `2`: the number and, if written, its unit.
-struct Number : ViewOf<Kind::Number> {
-  std::optional<Token> digits() const { return token(*this, Kind::Digits); }
-  std::optional<Token> unit() const { return token(*this, Kind::Unit); }
-};
-
-struct String : ViewOf<Kind::String> {};  // string_value() gives its text
-struct Colour : ViewOf<Kind::Colour> {};  // the slice is #rgb, #rrggbb or #rrggbbaa
-struct Boolean : ViewOf<Kind::Boolean> {
-  bool value() const { return has(*this, Kind::KwTrue); }
-};
-
-/// `(a)` groups, `(x, y)` is a point, `(x, y, z)` a point in space: one, two or three parts.
-struct Tuple : ViewOf<Kind::Tuple> {
-  std::vector<Expr> parts() const { return all<Expr>(*this); }
-};
-
-/// The `for NAME in expr [.. expr]` of a list.
-struct For : ViewOf<Kind::For> {
-  std::optional<Token> name() const { return token(*this, Kind::Name); }
-  std::optional<Expr> from() const { return after<Expr>(*this, Kind::KwIn); }
-  std::optional<Expr> to() const { return after<Expr>(*this, Kind::DotDot); }
-};
-
-/// `[a, b]`, or `[a for i in 1..3]`: then elements() has the one expression and generator() is there.
-struct List : ViewOf<Kind::List> {
-  std::vector<Expr> elements() const { return all<Expr>(*this); }
-  std::optional<For> generator() const { return child<For>(*this); }
-};
-
-/// The text between the quotes, escapes resolved.
-std::string string_value(View string_or_token, const Source& source);
-
-/// The digits as a double, independent of the locale; infinite when too large for one.
-double number_value(Token digits, const Source& source);
 
 // ----------------------------------------------------------------------------------------------------- statements
 
@@ -135,15 +38,39 @@ struct Range : ViewOf<Kind::Range> {
   std::optional<Expr> high() const { return after<Expr>(*this, Kind::DotDot); }
 };
 
+/// in ["narrow", "wide"]
+struct Choices : ViewOf<Kind::Choices> {
+  std::optional<Expr> list() const { return child<Expr>(*this); }
+};
+
 struct Param : ViewOf<Kind::Param> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Expr> value() const { return child<Expr>(*this); }
   std::optional<Range> range() const { return child<Range>(*this); }
+  std::optional<Choices> choices() const { return child<Choices>(*this); }
 };
 
 struct Let : ViewOf<Kind::Let> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Expr> value() const { return child<Expr>(*this); }
+};
+
+/// NAME in low .. high: what a `solve` looks for.
+struct Sought : ViewOf<Kind::Sought> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Range> range() const { return child<Range>(*this); }
+};
+
+/// left = right
+struct Equation : ViewOf<Kind::Equation> {
+  std::optional<Expr> left() const { return child<Expr>(*this, 0); }
+  std::optional<Expr> right() const { return child<Expr>(*this, 1); }
+};
+
+/// solve h in 8cm..20cm, w in 3cm..9cm so length(cap) = 40cm, w = h / 2
+struct Solve : ViewOf<Kind::Solve> {
+  std::vector<Sought> unknowns() const { return all<Sought>(*this); }
+  std::vector<Equation> equations() const { return all<Equation>(*this); }
 };
 
 struct Parameter : ViewOf<Kind::Parameter> {
@@ -164,7 +91,7 @@ struct Block : ViewOf<Kind::Block> {
 struct Fn : ViewOf<Kind::Fn> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
-  std::optional<Block> block() const { return child<Block>(*this); }  // items() of it are Lets
+  std::optional<Block> block() const { return child<Block>(*this); }  // items() of it are Lets and Solves
   std::optional<Expr> result() const {                                // of either form
     const auto body = block();
     return body ? body->result() : child<Expr>(*this);
@@ -248,6 +175,8 @@ struct Walk : View {
   std::optional<Expr> arriving() const { return after<Expr>(*this, Kind::KwArriving); }
   std::optional<Expr> through() const { return after<Expr>(*this, Kind::KwThrough); }
   std::optional<Expr> radius() const { return after<Expr>(*this, Kind::KwRadius); }
+  std::optional<Expr> wanted_length() const { return after<Expr>(*this, Kind::KwLong); }
+  std::vector<Expr> waypoints() const;  // all behind `through`
   bool large() const { return has(*this, Kind::KwLarge); }
   std::optional<Expr> first_control() const { return after<Expr>(*this, Kind::KwVia); }
   std::optional<Expr> second_control() const { return after<Expr>(*this, Kind::Comma); }

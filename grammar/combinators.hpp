@@ -69,6 +69,19 @@ struct node {
   }
 };
 
+/// A rule that looks at the text itself, after the gap before it.
+template <typename Rule>
+struct gap_before {
+  using rule_t = gap_before;
+  using subs_t = pegtl::type_list<Rule>;
+
+  static bool match(Reader& in) {
+    auto mark = in.mark<pegtl::rewind_mode::required>();
+    in.skip_gap();
+    return mark(run<Rule>(in));
+  }
+};
+
 /// For messages: what is missing when the rule fails at its very beginning.
 template <Kind K, typename Rule>
 struct called {

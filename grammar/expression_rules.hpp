@@ -60,11 +60,9 @@ struct number_text : pegtl::seq<digits, pegtl::opt<decimals>, pegtl::opt<exponen
                                 pegtl::sor<pegtl::not_at<word_char>, pegtl::at<unit_text>>> {};
 struct number : node<Kind::Number, token<Kind::Digits, number_text>, pegtl::opt<unit>> {};
 
-struct escape : pegtl::seq<pegtl::one<'\\'>, pegtl::one<'"', '\\', 'n'>> {};
-struct quoted
-    : pegtl::seq<pegtl::one<'"'>, pegtl::star<pegtl::sor<pegtl::not_one<'"', '\\', '\n'>, escape>>, pegtl::one<'"'>> {};
-struct text : token<Kind::Text, quoted> {};
-struct string : node<Kind::String, text> {};
+struct escape : pegtl::seq<pegtl::one<'\\'>, pegtl::one<'"', '\\', 'n', '{'>> {};
+struct characters : pegtl::star<pegtl::sor<pegtl::not_one<'"', '\\', '\n', '{'>, escape>> {};
+struct text : token<Kind::Text, pegtl::one<'"'>, characters, pegtl::one<'"'>> {};
 
 template <unsigned N>
 struct hex : pegtl::seq<pegtl::rep<N, pegtl::xdigit>, pegtl::not_at<word_char>> {};
@@ -109,12 +107,62 @@ struct tuple_items : pegtl::seq<expression, pegtl::opt<comma, expression, pegtl:
 struct tuple : node<Kind::Tuple, bracketed<Kind::LeftParen, Kind::RightParen, tuple_items>> {};
 
 struct generator : node<Kind::For, word<Kind::KwFor>, any_name, word<Kind::KwIn>, expression,
-                        pegtl::opt<sign<Kind::DotDot>, expression>> {};
+                        pegtl::opt<sign<Kind::DotDot>, expression>, pegtl::opt<word<Kind::KwIf>, expression>> {};
 struct list_items
     : pegtl::opt<expression, pegtl::sor<generator, pegtl::seq<pegtl::star<comma, expression>, pegtl::opt<comma>>>> {};
 struct list : node<Kind::List, bracketed<Kind::LeftBracket, Kind::RightBracket, list_items>> {};
 
-struct primary : called<Kind::NameRef, pegtl::sor<name_ref, number, tuple, string, list, colour, boolean>> {};
+/// `{w}` and `{w in mm}` in a text, whose tokens go from one brace or quote to the next.
+struct text_begin : token<Kind::Text, pegtl::one<'"'>, characters, pegtl::one<'{'>> {};
+struct inserted : node<Kind::Inserted, expression, pegtl::opt<word<Kind::KwIn>, token<Kind::Unit, unit_text>>> {};
+struct closed_insertion {
+  using rule_t = closed_insertion;
+  using subs_t = pegtl::empty_list;
+  static bool match(Reader& in) {
+    if (!in.sees('}')) return false;
+    in.bump_in_this_line();
+    (void)run<characters>(in);
+    if (!in.sees('"') && !in.sees('{')) {
+      in.record.expect(Kind::Text, in.offset());
+      return false;
+    }
+    in.bump_in_this_line();
+    return true;
+  }
+};
+struct text_end : called<Kind::RightBrace, token<Kind::Text, closed_insertion>> {};
+/// A piece that ends with a brace has another value behind it.
+struct more_inserted {
+  using rule_t = more_inserted;
+  using subs_t = pegtl::empty_list;
+  static bool match(Reader& in) { return in.offset() > 0 && in.text()[in.offset() - 1] == '{'; }
+};
+struct string
+    : node<Kind::String,
+           pegtl::sor<text, pegtl::seq<text_begin, inserted, text_end, pegtl::star<more_inserted, inserted, text_end>,
+                                       pegtl::not_at<more_inserted>>>> {};
+
+/// Behind the bracket a name and a colon.
+struct named_next {
+  using rule_t = named_next;
+  using subs_t = pegtl::empty_list;
+  static bool match(Reader& in) {
+    if (!in.sees('(')) return false;
+    const std::uint32_t name = skip_lines(in.text(), in.offset() + 1);
+    if (name == in.text().size() || !is_letter(in.text()[name])) return false;
+    const auto length = static_cast<std::uint32_t>(word_at(in.text(), name).size());
+    const std::uint32_t colon = skip_blanks(in.text(), name + length);
+    return colon < in.text().size() && in.text()[colon] == ':';
+  }
+};
+struct record_field : node<Kind::Argument, any_name, sign<Kind::Colon>, more, expression> {};
+struct record : pegtl::seq<named_next,
+                           node<Kind::RecordLiteral, bracketed<Kind::LeftParen, Kind::RightParen, record_field,
+                                                               pegtl::star<comma, record_field>, pegtl::opt<comma>>>> {
+};
+
+struct primary
+    : called<Kind::NameRef, pegtl::sor<name_ref, number, gap_before<record>, tuple, string, list, colour, boolean>> {};
 
 struct argument : node<Kind::Argument, pegtl::opt<any_name, sign<Kind::Colon>, more>, expression> {};
 struct arguments : bracketed<Kind::LeftParen, Kind::RightParen,
@@ -271,9 +319,10 @@ struct expression {
   using subs_t = pegtl::type_list<pegtl::sor<choice, operators>>;
   static bool match(Reader& in) {
     const Nesting nesting(in.record);
-    const std::uint32_t at = skip_blanks(in.text(), in.offset());
-    if (!in.record.allows(in.record.depth, at)) return false;
-    return word_at(in.text(), at) == "if" ? run<choice>(in) : run<operators>(in);
+    auto mark = in.mark<pegtl::rewind_mode::required>();
+    in.skip_gap();
+    if (!in.record.allows(in.record.depth, in.offset())) return false;
+    return mark(word_at(in.text(), in.offset()) == "if" ? run<choice>(in) : run<operators>(in));
   }
 };
 

@@ -33,8 +33,25 @@ struct import
     : line<Kind::Import, word<Kind::KwImport>, pegtl::sor<any_name, text>, pegtl::opt<word<Kind::KwAs>, any_name>> {};
 
 struct range : node<Kind::Range, word<Kind::KwIn>, expression, sign<Kind::DotDot>, expression> {};
-struct param : line<Kind::Param, word<Kind::KwParam>, value_name, assign, expression, pegtl::opt<range>> {};
+struct before_list {
+  using rule_t = before_list;
+  using subs_t = pegtl::empty_list;
+  static bool match(Reader& in) {
+    const std::uint32_t next = skip_blanks(in.text(), in.offset());
+    const std::uint32_t open = skip_blanks(in.text(), next + 2);  // behind `in`
+    return word_at(in.text(), next) == "in" && open < in.text().size() && in.text()[open] == '[';
+  }
+};
+struct choices : pegtl::seq<before_list, node<Kind::Choices, word<Kind::KwIn>, list>> {};
+struct param
+    : line<Kind::Param, word<Kind::KwParam>, value_name, assign, expression, pegtl::opt<pegtl::sor<choices, range>>> {};
 struct let : line<Kind::Let, word<Kind::KwLet>, value_name, assign, expression> {};
+
+struct sought : node<Kind::Sought, value_name, range> {};
+struct equation : node<Kind::Equation, expression, assign, expression> {};
+struct solve : line<Kind::Solve, word<Kind::KwSolve>, sought, pegtl::star<comma, sought>,
+                    perhaps_on_next_line<Kind::KwSo>, word<Kind::KwSo>, more, equation, pegtl::star<comma, equation>> {
+};
 
 struct parameter : node<Kind::Parameter, value_name, pegtl::opt<assign, expression>> {};
 struct parameters
@@ -52,8 +69,8 @@ struct at_closing_brace {
     return closing;
   }
 };
-struct fn_block
-    : block<statement_words(Kind::KwLet), pegtl::sor<let, pegtl::seq<expression, at_end<>, at_closing_brace>>> {};
+struct fn_block : block<statement_words(Kind::KwLet, Kind::KwSolve),
+                        pegtl::sor<let, solve, pegtl::seq<expression, at_end<>, at_closing_brace>>> {};
 struct fn : statement<Kind::Fn, word<Kind::KwFn>, to_block<fn_block>, value_name, parameters,
                       pegtl::sor<pegtl::seq<assign, expression>, fn_block>, at_end<>> {};
 
@@ -91,7 +108,7 @@ struct body : statement<Kind::Body, word<Kind::KwBody>, to_block<body_block>, an
 struct start : pegtl::seq<word<Kind::KwStart>, pegtl::not_at<pegtl::one<'.', '(', '['>>> {};
 /// `leaving 0deg` where the target was forgotten; a value of that name has no other value behind it.
 struct clause_word : pegtl::sor<spelled<Kind::KwLeaving>, spelled<Kind::KwArriving>, spelled<Kind::KwThrough>,
-                                spelled<Kind::KwRadius>, spelled<Kind::KwVia>> {};
+                                spelled<Kind::KwRadius>, spelled<Kind::KwVia>, spelled<Kind::KwLong>> {};
 struct clause : pegtl::seq<clause_word, pegtl::plus<pegtl::blank>, pegtl::not_at<clause_word>,
                            pegtl::sor<pegtl::digit, pegtl::seq<unreserved, pegtl::identifier>>> {};
 struct target : called<Kind::NameRef, pegtl::seq<pegtl::not_at<clause>, pegtl::sor<start, expression>>> {};
@@ -100,13 +117,19 @@ struct walk_to : pegtl::seq<word<K>, word<Kind::KwTo>, target> {};
 template <Kind K>
 struct with_value : pegtl::seq<word<K>, expression> {};
 
+struct waypoints : pegtl::seq<with_value<Kind::KwThrough>, pegtl::star<comma, expression>> {};
+struct wanted_length : pegtl::opt<with_value<Kind::KwLong>> {};
+
 struct line_walk : node<Kind::LineWalk, walk_to<Kind::KwLine>> {};
 struct curve_walk : node<Kind::CurveWalk, walk_to<Kind::KwCurve>,
-                         pegtl::star<pegtl::sor<with_value<Kind::KwLeaving>, with_value<Kind::KwArriving>>>> {};
+                         pegtl::star<pegtl::sor<with_value<Kind::KwLeaving>, with_value<Kind::KwArriving>,
+                                                with_value<Kind::KwLong>, waypoints>>> {};
 struct arc_walk : node<Kind::ArcWalk, walk_to<Kind::KwArc>,
                        pegtl::sor<with_value<Kind::KwThrough>,
-                                  pegtl::seq<with_value<Kind::KwRadius>, pegtl::opt<word<Kind::KwLarge>>>>> {};
-struct bezier_walk : node<Kind::BezierWalk, walk_to<Kind::KwBezier>, with_value<Kind::KwVia>, comma, expression> {};
+                                  pegtl::seq<with_value<Kind::KwRadius>, pegtl::opt<word<Kind::KwLarge>>>>,
+                       wanted_length> {};
+struct bezier_walk
+    : node<Kind::BezierWalk, walk_to<Kind::KwBezier>, with_value<Kind::KwVia>, comma, expression, wanted_length> {};
 struct circle_walk : node<Kind::CircleWalk, word<Kind::KwCircle>, with_value<Kind::KwAbout>> {};
 struct along_walk : node<Kind::AlongWalk, with_value<Kind::KwAlong>> {};
 struct walk : pegtl::sor<line_walk, curve_walk, arc_walk, bezier_walk, circle_walk, along_walk> {};
@@ -133,7 +156,8 @@ struct label : line<Kind::Label, word<Kind::KwLabel>, expression> {};
 
 /// "And the rest as before": what a varied piece does not mention it has from its model, said or unsaid.
 struct and_so_on : sign<Kind::Ellipsis> {};
-struct piece_item : pegtl::sor<and_so_on, outline, let, fold, dart, notch, grain, allowance, cut, label, hole> {};
+struct piece_item : pegtl::sor<and_so_on, outline, let, solve, fold, dart, notch, grain, allowance, cut, label, hole> {
+};
 struct piece_block : block<piece_words, piece_item> {};
 struct piece : statement<Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
                          pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block, at_end<>> {};
@@ -154,7 +178,7 @@ struct wear_option
     : node<Kind::WearOption, pegtl::sor<word<Kind::KwHeld>, word<Kind::KwPlaced>, with_value<Kind::KwFrom>>> {};
 struct wear : line<Kind::Wear, word<Kind::KwWear>, chain, word<Kind::KwAt>, expression, pegtl::star<wear_option>> {};
 
-struct garment_item : pegtl::sor<let, piece, sew, wear, param, fn> {};
+struct garment_item : pegtl::sor<let, solve, piece, sew, wear, param, fn> {};
 struct garment_block : block<garment_words, garment_item> {};
 struct garment
     : statement<Kind::Garment, word<Kind::KwGarment>, to_block<garment_block>, any_name, pegtl::opt<parameters>,
@@ -177,7 +201,8 @@ struct print : line<Kind::Print, word<Kind::KwPrint>, expression, pegtl::star<co
 struct expect : line<Kind::Expect, word<Kind::KwExpect>, expression> {};
 
 struct file_item
-    : pegtl::sor<let, param, fn, import, garment, fabric, textile, body, drape, render, export_, print, expect> {};
+    : pegtl::sor<let, param, solve, fn, import, garment, fabric, textile, body, drape, render, export_, print, expect> {
+};
 
 /// Statements to the end of the text. Always succeeds.
 struct file {

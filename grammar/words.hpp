@@ -41,13 +41,13 @@ constexpr StatementWords statement_words(Kinds... keywords) {
 }
 
 inline constexpr StatementWords file_words = statement_words(
-    Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwFabric, Kind::KwTextile, Kind::KwBody,
-    Kind::KwGarment, Kind::KwDrape, Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
+    Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwSolve, Kind::KwFabric, Kind::KwTextile,
+    Kind::KwBody, Kind::KwGarment, Kind::KwDrape, Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
 inline constexpr StatementWords garment_words =
-    statement_words(Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwPiece, Kind::KwSew, Kind::KwWear);
+    statement_words(Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear);
 inline constexpr StatementWords piece_words =
-    statement_words(Kind::KwLet, Kind::KwOutline, Kind::KwHole, Kind::KwFold, Kind::KwCut, Kind::KwGrain, Kind::KwDart,
-                    Kind::KwNotch, Kind::KwAllowance, Kind::KwLabel);
+    statement_words(Kind::KwLet, Kind::KwSolve, Kind::KwOutline, Kind::KwHole, Kind::KwFold, Kind::KwCut, Kind::KwGrain,
+                    Kind::KwDart, Kind::KwNotch, Kind::KwAllowance, Kind::KwLabel);
 
 /// The statement that seems to begin at `offset`: its keyword followed by a name, a text or the like, as no expression,
 /// row or edge would go on. Used to notice that a bracket or block was not closed.

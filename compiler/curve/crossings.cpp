@@ -170,16 +170,25 @@ class Search {
   std::vector<Crossing> found_;
 };
 
-}  // namespace
-
-std::vector<Crossing> crossings(const Curve& first, const Curve& second) {
-  const auto at_end = [](const Curve& curve, double s) { return s < kSharedEnd || s > curve.length() - kSharedEnd; };
-  Search search([&](const Crossing& c) { return at_end(first, c.s_first) && at_end(second, c.s_second); });
+template <class SearchOf>
+std::vector<Crossing> found_by(SearchOf search, const Curve& first, const Curve& second) {
   const std::vector<Part> ones = parts_of(first), others = parts_of(second);
   for (const Part& a : ones) {
     for (const Part& b : others) search.pair(a, b);
   }
   return search.take();
+}
+
+}  // namespace
+
+std::vector<Crossing> crossings(const Curve& first, const Curve& second) {
+  const auto at_end = [](const Curve& curve, double s) { return s < kSharedEnd || s > curve.length() - kSharedEnd; };
+  return found_by(Search([&](const Crossing& c) { return at_end(first, c.s_first) && at_end(second, c.s_second); }),
+                  first, second);
+}
+
+std::vector<Crossing> meetings(const Curve& first, const Curve& second) {
+  return found_by(Search([](const Crossing&) { return false; }), first, second);
 }
 
 std::vector<Crossing> self_crossings(const Curve& curve) {

@@ -83,6 +83,12 @@ Vec2 Curve::tangent(double s) const {
   return unit_tangent(segments_[place.segment], place.t);
 }
 
+double Curve::curvature(double s) const {
+  if (empty()) return 0;
+  const Place place = locate(segments_, ends_, s);
+  return toile::curvature(segments_[place.segment], place.t);
+}
+
 Curve Curve::reversed() const {
   std::vector<Segment> backwards = each(segments_, [](const Segment& s) { return toile::reversed(s); });
   std::reverse(backwards.begin(), backwards.end());

@@ -43,6 +43,8 @@ class Curve {
   Vec2 at(double s) const;
   /// The unit tangent there, in the direction of travel.
   Vec2 tangent(double s) const;
+  /// 1 / radius there [1/m], positive where the curve turns to the left.
+  double curvature(double s) const;
   Curve reversed() const;
   /// The part between two arc lengths, s0 < s1.
   Curve part(double s0, double s1) const;
@@ -78,5 +80,7 @@ struct Crossing {
 };
 std::vector<Crossing> crossings(const Curve& first, const Curve& second);
 std::vector<Crossing> self_crossings(const Curve& curve);
+/// The same with shared ends, too: by halving, for any two curves.
+std::vector<Crossing> meetings(const Curve& first, const Curve& second);
 
 }  // namespace toile

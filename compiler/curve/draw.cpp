@@ -3,7 +3,8 @@
 #include <cmath>
 #include <numbers>
 
-#include "compiler/curve/curve.hpp"
+#include "compiler/curve/segment.hpp"
+#include "compiler/curve/shape.hpp"
 
 namespace toile {
 namespace {
@@ -72,6 +73,42 @@ Curve tangent_curve(Vec2 from, double leaving, Vec2 to, double arriving) {
   };
   return bezier(from, from + arm(leaving - along) * direction(leaving),
                 to - arm(arriving - along) * direction(arriving), to);
+}
+
+Curve arc_about(Vec2 centre, double radius, double from, double to) {
+  return Curve({ArcSegment{centre, radius, from, to - from}});
+}
+
+Curve extended(const Curve& curve, double before, double after) {
+  std::vector<Segment> segments = curve.segments();
+  if (segments.empty()) return curve;
+  const auto straight_on = [](Vec2 from, Vec2 tangent, double length) {
+    return LineSegment{from, from + length * tangent};
+  };
+  if (before > 0) {
+    Segment& first = segments.front();
+    if (auto* line = std::get_if<LineSegment>(&first)) {
+      line->from = line->from - before * unit_tangent(first, 0);
+    } else if (auto* arc = std::get_if<ArcSegment>(&first)) {
+      const double turn = std::copysign(before / arc->radius, arc->sweep);
+      arc->start -= turn;
+      arc->sweep += turn;
+    } else {
+      const Segment lead = reversed(Segment{straight_on(point(first, 0), -unit_tangent(first, 0), before)});
+      segments.insert(segments.begin(), lead);
+    }
+  }
+  if (after > 0) {
+    Segment& last = segments.back();
+    if (auto* line = std::get_if<LineSegment>(&last)) {
+      line->to = line->to + after * unit_tangent(last, 1);
+    } else if (auto* arc = std::get_if<ArcSegment>(&last)) {
+      arc->sweep += std::copysign(after / arc->radius, arc->sweep);
+    } else {
+      segments.emplace_back(straight_on(point(last, 1), unit_tangent(last, 1), after));
+    }
+  }
+  return Curve(std::move(segments));
 }
 
 Curve join(const std::vector<Curve>& curves) {

@@ -195,6 +195,16 @@ Vec2 unit_tangent(const Segment& segment, double t) {
   return norm(near) > 0 ? near / norm(near) : Vec2{1, 0};
 }
 
+double curvature(const Segment& segment, double t) {
+  if (const auto* arc = std::get_if<ArcSegment>(&segment)) return std::copysign(1 / arc->radius, arc->sweep);
+  const auto* b = std::get_if<BezierSegment>(&segment);
+  if (b == nullptr) return 0;
+  const Vec2 first = derivative(segment, t);
+  const Vec2 second = 6 * ((1 - t) * (b->p2 - 2 * b->p1 + b->p0) + t * (b->p3 - 2 * b->p2 + b->p1));
+  const double speed = norm(first);
+  return cross(first, second) / (speed * speed * speed);
+}
+
 double length_between(const Segment& segment, double t0, double t1) {
   return std::visit([&](const auto& s) { return length_of(s, t0, t1); }, segment);
 }

@@ -10,6 +10,8 @@ Vec2 point(const Segment& segment, double t);
 Vec2 derivative(const Segment& segment, double t);
 /// The unit tangent; where the derivative vanishes (control points that coincide, a cusp), its limit from inside.
 Vec2 unit_tangent(const Segment& segment, double t);
+/// 1 / radius [1/m], positive where the segment turns to the left; infinite at a cusp.
+double curvature(const Segment& segment, double t);
 /// Arc length from t0 to t1 >= t0 [m].
 double length_between(const Segment& segment, double t0, double t1);
 /// The t at which the arc length from t = 0 comes to `s`, given the segment's whole `length`.

@@ -10,7 +10,7 @@ namespace {
 const std::map<std::string_view, Builtin>& registry() {
   static const std::map<std::string_view, Builtin> all = [] {
     std::map<std::string_view, Builtin> by_name;
-    for (auto table : {number_builtins(), geometry_builtins(), body_builtins()}) {
+    for (auto table : {number_builtins(), geometry_builtins(), drafting_builtins(), body_builtins()}) {
       for (Builtin& builtin : table) by_name.emplace(builtin.name, std::move(builtin));
     }
     return by_name;
@@ -35,6 +35,8 @@ bool fits(const Value& value, Want want) {
       return quantity != nullptr;
     case Want::Along:
       return quantity != nullptr && (quantity->dimension.plain() || quantity->dimension == dimension::length);
+    case Want::Place:
+      return is_point || value.as<PlaneCurve>() != nullptr || fits(value, Want::Along);
     case Want::Point:
       return is_point;
     case Want::Curve:
@@ -65,6 +67,8 @@ std::string_view words(Want want) {
       return "a number or quantity";
     case Want::Along:
       return "a length or a fraction";
+    case Want::Place:
+      return "a length, a fraction, a point or a curve";
     case Want::Point:
       return "a point";
     case Want::Curve:

@@ -11,7 +11,21 @@
 
 namespace toile {
 
-enum class Want { Plain, Length, Angle, AnyQuantity, Softness, Point, Curve, PointOrCurve, List, Text, Truth, Along };
+enum class Want {
+  Plain,
+  Length,
+  Angle,
+  AnyQuantity,
+  Softness,
+  Point,
+  Curve,
+  PointOrCurve,
+  List,
+  Text,
+  Truth,
+  Along,  // a length or a fraction
+  Place   // the same, or a point of the curve, or a curve across it
+};
 
 struct BuiltinParameter {
   std::string_view name;
@@ -54,6 +68,7 @@ Value call_builtin(Session& session, const Scope& scope, const syntax::Call& wri
 // The tables, by topic.
 std::vector<Builtin> number_builtins();
 std::vector<Builtin> geometry_builtins();
+std::vector<Builtin> drafting_builtins();
 std::vector<Builtin> body_builtins();
 
 }  // namespace toile

@@ -28,8 +28,16 @@ Value straight(const BuiltinCall& call) {
 }
 
 Value arc(const BuiltinCall& call) {
+  if (call.has(2) == call.has(3)) {
+    call.session.report.add(Problem("E0108", "an arc needs a point to pass `through` or a `radius`, one of them")
+                                .at(call.at)
+                                .help("arc(p, q, radius: 12cm)"));
+    return Unknown{};
+  }
   if (!call.known) return unknown_curve();
-  return maybe(drawn_arc(call.session, call.point(0), call.point(1), call.point(2), call.place(2)));
+  if (call.has(2)) return maybe(drawn_arc(call.session, call.point(0), call.point(1), call.point(2), call.place(2)));
+  const bool large = call.has(4) && call.value(4).as<Truth>()->value;
+  return maybe(drawn_arc(call.session, call.point(0), call.point(1), call.si(3), large, call.place(3)));
 }
 
 Value cubic(const BuiltinCall& call) {
@@ -50,7 +58,9 @@ std::optional<double> place_on(const BuiltinCall& call, std::size_t argument) {
 Value point_on(const BuiltinCall& call) {
   if (!call.known) return point_value({}, false);
   const auto s = place_on(call, 1);
-  return s ? point_value(call.curve(0).at(*s), true) : Value{};
+  if (!s) return Unknown{};
+  const Vec2 left = perpendicular(call.curve(0).tangent(*s));
+  return point_value(call.curve(0).at(*s) + call.si_or(2, 0) * left, true);
 }
 
 Value direction_on(const BuiltinCall& call) {
@@ -137,14 +147,20 @@ std::vector<Builtin> geometry_builtins() {
   return {
       {"length", {along}, length_of},
       {"line", {{"from", Want::Point}, {"to", Want::Point}}, straight},
-      {"arc", {{"from", Want::Point}, {"to", Want::Point}, {"through", Want::Point}}, arc},
+      {"arc",
+       {{"from", Want::Point},
+        {"to", Want::Point},
+        {"through", Want::Point, true},
+        {"radius", Length, true},
+        {"large", Want::Truth, true}},
+       arc},
       {"bezier", {{"from", Want::Point}, {"first", Want::Point}, {"second", Want::Point}, {"to", Want::Point}}, cubic},
       {"curve",
        {{"from", Want::Point}, {"to", Want::Point}, {"leaving", Angle, true}, {"arriving", Angle, true}},
        tangent_controlled},
-      {"point_on", {along, {"at", Along}}, point_on},
-      {"direction_on", {along, {"at", Along}}, direction_on},
-      {"part", {along, {"from", Along, true}, {"to", Along, true}}, part},
+      {"point_on", {along, {"at", Want::Place}, {"across", Length, true}}, point_on},
+      {"direction_on", {along, {"at", Want::Place}}, direction_on},
+      {"part", {along, {"from", Want::Place, true}, {"to", Want::Place, true}}, part},
       {"reverse", {along}, reversed},
       {"join", {along}, joined, true},
       {"move", {{"what", PointOrCurve}, {"by", Want::Point}}, moved},

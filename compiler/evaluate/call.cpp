@@ -7,9 +7,11 @@
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/bodies.hpp"
 #include "compiler/evaluate/builtins.hpp"
+#include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/garments.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/solve.hpp"
 
 namespace toile {
 namespace {
@@ -85,10 +87,8 @@ Value body_of_function(Session& session, const UserFunction& function, const Arg
   }
   if (const auto block = function.written.block()) {
     for (const syntax::View item : syntax::items(*block)) {
-      const auto let = syntax::as<syntax::Let>(item);
-      if (!let) continue;
-      define(session, inside, let->name(),
-             [&session, &inside, expr = let->value()] { return evaluate(session, inside, expr); });
+      if (const auto let = syntax::as<syntax::Let>(item)) define_let(session, inside, *let);
+      if (const auto solve = syntax::as<syntax::Solve>(item)) define_solve(session, inside, *solve);
     }
   }
   Value result = evaluate(session, inside, function.written.result());
@@ -184,7 +184,9 @@ void define_parameters(Session& session, Scope& inside, const syntax::Parameters
   for (std::size_t i = 0; i < list.size(); ++i) {
     const auto fallback = list[i].fallback();
     const std::optional<Given> given = i < arguments.size() ? arguments[i] : std::nullopt;
-    define(session, inside, list[i].name(), [&session, &inside, given, fallback]() -> Value {
+    const std::optional<std::size_t> depth = depth_of_try(session);
+    define(session, inside, list[i].name(), [&session, &inside, given, fallback, depth]() -> Value {
+      if (depth) note_try(session, *depth);
       if (!given) return evaluate(session, inside, fallback);
       if (!fallback) return given->value;
       // The default tells the kind that is wanted.

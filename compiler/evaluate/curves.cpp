@@ -4,6 +4,8 @@
 
 #include <cmath>
 
+#include "compiler/curve/places.hpp"
+#include "compiler/curve/shape.hpp"
 #include "compiler/units/format.hpp"
 
 namespace toile {
@@ -49,10 +51,60 @@ std::optional<Curve> drawn_arc(Session& session, Vec2 from, Vec2 to, double radi
   return std::nullopt;
 }
 
+namespace {
+
+std::string shown_points(const std::vector<Crossing>& crossings) {
+  std::string text;
+  for (const Crossing& c : crossings) text += (text.empty() ? "" : ", ") + format(Point{dimension::length, c.point});
+  return text;
+}
+
+}  // namespace
+
+std::optional<Crossing> only_crossing(Session& session, const Curve& first, const Curve& second, Location at) {
+  const std::vector<Crossing> found = intersections(first, second);
+  if (found.size() == 1) return found.front();
+  if (found.empty()) {
+    session.report.add(Problem("E0211", "these curves do not meet")
+                           .at(at, "runs from " + format(Point{dimension::length, second.start()}) + " to " +
+                                       format(Point{dimension::length, second.end()}))
+                           .help("prolong the one that is too short: extend(line, after: 10cm)"));
+  } else {
+    session.report.add(
+        Problem("E0212", fmt::format("these curves meet {} times: at {}", found.size(), shown_points(found)))
+            .at(at)
+            .help("say which is meant: intersections(a, b)[1] is the first along a"));
+  }
+  return std::nullopt;
+}
+
+namespace {
+
+std::optional<double> place_of_point(Session& session, const Curve& curve, Vec2 point, Location at) {
+  constexpr double touching = 1e-6;  // [m]
+  const double s = nearest_place(curve, point);
+  const double off = distance(curve.at(s), point);
+  if (off <= touching) return s;
+  session.report.add(
+      Problem("E0213", fmt::format("this point lies {} off the curve", format_quantity(off, dimension::length)))
+          .at(at, "is " + format(Point{dimension::length, point}))
+          .help("nearest(point, curve) is the place of the curve that is nearest to it, " +
+                format(Point{dimension::length, curve.at(s)})));
+  return std::nullopt;
+}
+
+}  // namespace
+
 std::optional<double> arc_length_at(Session& session, const Curve& curve, const Value& where, Location at,
                                     const std::string& whose) {
+  if (!where.known()) return std::nullopt;
+  if (const auto* point = where.as<Point>()) return place_of_point(session, curve, point->at, at);
+  if (const auto* other = where.as<PlaneCurve>()) {
+    const auto crossing = only_crossing(session, curve, *other->curve, at);
+    return crossing ? std::optional(crossing->s_first) : std::nullopt;
+  }
   const auto* quantity = where.as<Quantity>();
-  if (quantity == nullptr || !where.known()) return std::nullopt;
+  if (quantity == nullptr) return std::nullopt;
   const bool fraction = quantity->dimension.plain();
   const double whole = curve.length();
   const double s = fraction ? quantity->si * whole : quantity->si;
@@ -63,6 +115,45 @@ std::optional<double> arc_length_at(Session& session, const Curve& curve, const 
                          .at(at)
                          .help(fraction ? "a fraction lies between 0 % and 100 %"
                                         : "it is " + format_quantity(whole, dimension::length) + " long"));
+  return std::nullopt;
+}
+
+std::optional<Curve> drawn_spline(Session& session, const std::vector<Vec2>& points, std::optional<double> leaving,
+                                  std::optional<double> arriving, bool closed, Location at) {
+  const std::size_t least = closed ? 3 : 2;
+  if (points.size() < least) {
+    session.report.add(Problem("E0214", fmt::format("{} passes through {} points or more, here {}",
+                                                    closed ? "a closed curve" : "a curve", least, points.size()))
+                           .at(at));
+    return std::nullopt;
+  }
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    if (i + 1 == points.size() && !closed) break;
+    const Vec2 next = points[(i + 1) % points.size()];
+    if (distance(points[i], next) >= nearly_nothing) continue;
+    session.report.add(Problem("E0214", fmt::format("two points in turn are the same, {}: no curve runs between them",
+                                                    format(Point{dimension::length, next})))
+                           .at(at));
+    return std::nullopt;
+  }
+  return closed ? closed_spline(points) : spline(points, leaving, arriving);
+}
+
+std::optional<Curve> lengthened(Session& session, const Curve& curve, double length, Location at) {
+  if (auto found = of_length(curve, length)) return found;
+  const std::string wanted = format_quantity(length, dimension::length);
+  const double apart = distance(curve.start(), curve.end());
+  Problem problem("E0216", fmt::format("this curve cannot be {} long", wanted));
+  problem.at(at);
+  if (length <= apart) {
+    problem.help(fmt::format("its ends are {} apart", format_quantity(apart, dimension::length)));
+  } else if (curve.segments().size() == 1 && std::holds_alternative<LineSegment>(curve.segments()[0])) {
+    problem.help("a straight line between two points has one length: bend it, `curve to P leaving 10deg long ...`");
+  } else {
+    problem.help(fmt::format("it is {} long as drawn; to be so much longer or shorter it would have to cross itself",
+                             format_quantity(curve.length(), dimension::length)));
+  }
+  session.report.add(problem);
   return std::nullopt;
 }
 

@@ -5,12 +5,14 @@
 #include <cmath>
 
 #include "compiler/diag/nearest.hpp"
+#include "compiler/evaluate/arithmetic.hpp"
 #include "compiler/evaluate/bodies.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/fabrics.hpp"
 #include "compiler/evaluate/garments.hpp"
 #include "compiler/evaluate/modules.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/solve.hpp"
 
 namespace toile {
 namespace {
@@ -26,6 +28,7 @@ class ParamReader {
     Value fallback = evaluate(session_, scope_, value_expr);
     const bool has_range = read_range(fallback);
     if (has_range && !inside(fallback, module_.at(*value_expr), "the default")) return Unknown{};
+    if (value_expr && !chosen(fallback, module_.at(*value_expr), "the default")) return Unknown{};
     for (Session::GivenSetting& setting : session_.settings) {
       if (setting.name != full_name_) continue;
       setting.taken = true;
@@ -50,7 +53,7 @@ class ParamReader {
       return Unknown{};
     }
     if (has_range && !inside(value, at, "this value")) return Unknown{};
-    return value;
+    return chosen(value, at, "this value") ? value : Value{};
   }
 
   bool read_range(const Value& fallback) {
@@ -89,6 +92,41 @@ class ParamReader {
                                                      full_name_, format(value), format(low_), format(high_)))
                             .at(at, "this is " + format(value))
                             .also(module_.at(*written_.range()), "the range"));
+    return false;
+  }
+
+  /// Whether the value is among the choices, where the param has any.
+  bool chosen(const Value& value, Location at, const std::string& whose) {
+    const auto choices = written_.choices();
+    if (!choices || !choices->list()) return true;
+    const Value list = evaluate(session_, scope_, choices->list());
+    const auto* offered = list.as<ListValue>();
+    if (offered == nullptr || !list.known() || !value.known()) return true;
+    std::vector<std::string> shown;
+    const Location there = module_.at(*choices->list());
+    for (const Value& each : *offered->items) {
+      if (!alike(value, each)) {
+        session_.report.add(Problem("E0202", fmt::format("{} of `{}` is {}, and its choices are of another kind: {}",
+                                                         whose, full_name_, describe(value), describe(each)))
+                                .at(at, describe(value))
+                                .also(there, describe(each)));
+        return false;
+      }
+      const Value same = apply_binary(session_, syntax::Kind::Equal, {value, at}, {each, there}, at);
+      const auto* truth = same.as<Truth>();
+      if (truth == nullptr || !same.known()) return false;
+      if (truth->value) return true;
+      shown.push_back(format(each));
+    }
+    if (shown.empty()) {
+      session_.report.add(Problem("E0117", fmt::format("`{}` has no choices", full_name_)).at(there));
+      return false;
+    }
+    session_.report.add(Problem("E0117", fmt::format("{} of `{}`, {}, is not among its choices: {}", whose, full_name_,
+                                                     format(value), fmt::join(shown, ", ")))
+                            .at(at, "this is " + format(value))
+                            .also(module_.at(*choices), "the choices")
+                            .help(suggestion(format(value), shown)));
     return false;
   }
 
@@ -136,6 +174,8 @@ void define_module(Session& session, Module& module) {
       define_param(session, scope, *param, prefix);
     } else if (const auto let = syntax::as<syntax::Let>(item)) {
       define_let(session, scope, *let);
+    } else if (const auto solve = syntax::as<syntax::Solve>(item)) {
+      define_solve(session, scope, *solve);
     } else if (const auto fn = syntax::as<syntax::Fn>(item)) {
       define_function(session, scope, *fn);
     } else if (const auto body = syntax::as<syntax::Body>(item)) {

@@ -37,11 +37,10 @@ std::string edge_name(const PieceEdge& edge) {
   return name;
 }
 
-void emit_edges(std::string& out, const std::vector<PieceEdge>& edges, const char* indent) {
-  for (std::size_t i = 0; i < edges.size(); ++i) {
-    const PieceEdge& edge = edges[i];
-    out += fmt::format("{}edge {} {} length {} allowance {}\n", indent, i, edge_name(edge), mm(edge.curve.length()),
-                       mm(edge.allowance));
+void emit_edges(std::string& out, const std::vector<PieceEdge>& edges, int first, const char* indent) {
+  for (const PieceEdge& edge : edges) {
+    out += fmt::format("{}edge {} {} length {} allowance {}\n", indent, first++, edge_name(edge),
+                       mm(edge.curve.length()), mm(edge.allowance));
     for (const Segment& segment : edge.curve.segments()) out += fmt::format("{}  {}\n", indent, shape(segment));
   }
 }
@@ -49,10 +48,12 @@ void emit_edges(std::string& out, const std::vector<PieceEdge>& edges, const cha
 void emit_piece(std::string& out, const Piece& piece) {
   out += fmt::format("  piece {} quantity {} warp ({}, {})\n", piece.name, piece.quantity,
                      format_number(piece.warp.x, 9), format_number(piece.warp.y, 9));
-  emit_edges(out, piece.edges, "    ");
+  emit_edges(out, piece.edges, 0, "    ");
+  int first = static_cast<int>(piece.edges.size());
   for (std::size_t i = 0; i < piece.holes.size(); ++i) {
     out += fmt::format("    hole {}\n", i);
-    emit_edges(out, piece.holes[i], "      ");
+    emit_edges(out, piece.holes[i], first, "      ");
+    first += static_cast<int>(piece.holes[i].size());
   }
   if (piece.fold) out += fmt::format("    fold {} {}\n", point(piece.fold->from), point(piece.fold->to));
   for (const Dart& dart : piece.darts) {
@@ -66,8 +67,8 @@ std::string chain(const Chain& links, const Garment& garment) {
   std::string text;
   for (const ChainLink& link : links) {
     const Piece& piece = garment.pieces[static_cast<std::size_t>(link.edge.piece)];
-    text += (text.empty() ? "" : " + ") + piece.name + "." +
-            edge_name(piece.edges[static_cast<std::size_t>(link.edge.edge)]) + (link.forward ? "" : " backwards");
+    text += (text.empty() ? "" : " + ") + piece.name + "." + edge_name(piece.edge(link.edge.edge)) +
+            (link.forward ? "" : " backwards");
   }
   return text;
 }

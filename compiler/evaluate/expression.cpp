@@ -2,13 +2,14 @@
 
 #include <fmt/format.h>
 
-#include <charconv>
 #include <cmath>
 #include <cstdint>
+#include <map>
 
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/arithmetic.hpp"
 #include "compiler/evaluate/call.hpp"
+#include "compiler/evaluate/literals.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/units/unit.hpp"
 
@@ -73,13 +74,15 @@ class Evaluation {
       case Kind::Number:
         return quantity(*syntax::as<syntax::Number>(expr));
       case Kind::String:
-        return Text{syntax::string_value(expr, session_.sources[module_.file])};
+        return written_text(session_, scope_, *syntax::as<syntax::String>(expr));
       case Kind::Colour:
-        return colour(expr);
+        return written_colour(session_, module_, expr);
       case Kind::Boolean:
         return Truth{syntax::as<syntax::Boolean>(expr)->value()};
       case Kind::Tuple:
         return tuple(*syntax::as<syntax::Tuple>(expr));
+      case Kind::RecordLiteral:
+        return record(*syntax::as<syntax::RecordLiteral>(expr));
       case Kind::List:
         return list(*syntax::as<syntax::List>(expr));
       default:
@@ -113,20 +116,6 @@ class Evaluation {
                             .at(at(*unit_token))
                             .help(suggestion(part, unit_names())));
     return Unknown{};
-  }
-
-  /// #rgb or #rrggbb; an alpha has no meaning on cloth and is left out.
-  Value colour(const syntax::Expr& literal) {
-    std::string_view hex = session_.text(module_, literal);
-    hex.remove_prefix(std::min<std::size_t>(1, hex.size()));
-    const std::size_t digits = hex.size() <= 4 ? 1 : 2;
-    std::array<std::uint8_t, 3> channels{};
-    for (std::size_t i = 0; i < 3 && (i + 1) * digits <= hex.size(); ++i) {
-      const char* begin = hex.data() + i * digits;
-      std::from_chars(begin, begin + digits, channels[i], 16);
-      if (digits == 1) channels[i] = static_cast<std::uint8_t>(channels[i] * 17);
-    }
-    return Colour{channels[0], channels[1], channels[2]};
   }
 
   Value unary(const syntax::Unary& expr) {
@@ -238,6 +227,25 @@ class Evaluation {
     return {Point3{*shared, coordinates}, known};
   }
 
+  Value record(const syntax::RecordLiteral& expr) {
+    std::vector<RecordValue::Field> fields;
+    std::map<std::string, Location> places;
+    for (const syntax::Argument& written : expr.fields()) {
+      if (!written.name()) continue;
+      std::string text = session_.name_of(module_, written.name());
+      const Location place = at(*written.name());
+      const auto [earlier, is_new] = places.try_emplace(text, place);
+      if (!is_new) {
+        session_.report.add(Problem("E0102", "field `" + text + "` is given twice")
+                                .at(place, "given again here")
+                                .also(earlier->second, "already given here"));
+        continue;
+      }
+      fields.push_back({std::move(text), value(written.value())});
+    }
+    return record_value(std::move(fields));
+  }
+
   Value list(const syntax::List& expr) {
     const std::vector<syntax::Expr> elements = expr.elements();
     const auto generator = expr.generator();
@@ -269,6 +277,14 @@ class Evaluation {
     for (const Value& each : *values) {
       Scope inner(scope_.module(), &scope_, true, signature(each));
       inner.define_value(session_.name_of(module_, variable), at(*variable), each);
+      mark_try(session_, *inner.definitions().back());
+      if (generator.condition()) {
+        const std::optional<Value> wanted =
+            truth_of(evaluate(session_, inner, generator.condition()), *generator.condition(), "`if`");
+        if (!wanted) return Unknown{};
+        known = known && wanted->known();
+        if (wanted->known() && !wanted->as<Truth>()->value) continue;
+      }
       items.push_back(evaluate(session_, inner, element_expr));
       known = known && items.back().known();
       if (session_.exhausted) return Unknown{};

@@ -21,7 +21,7 @@ struct Access {
   }
 };
 
-/// A definition inside of a module, garment or piece.
+/// A definition inside of a module, garment, piece or hole.
 Value defined_in(const Access& access, const Scope& scope, const std::string& owner, const std::string& code) {
   if (Definition* definition = scope.own(access.text)) return force(access.session, *definition);
   return access.unknown(owner + " has no `" + access.text + "`", scope.own_names(), code);
@@ -86,6 +86,15 @@ Value result_field(const Access& access, const ResultValue& object) {
   return access.unknown("`" + shown + "` has no field `" + access.text + "`", fields_after(object.prefix));
 }
 
+Value field_of(const Access& access, const RecordValue& record) {
+  std::vector<std::string> names;
+  for (const RecordValue::Field& field : *record.fields) {
+    if (field.name == access.text) return field.value;
+    names.push_back(field.name);
+  }
+  return access.unknown("this record has no field `" + access.text + "`", names);
+}
+
 Value coordinate(const Value& object, std::string_view name) {
   const bool known = object.known();
   if (const auto* point = object.as<Point>()) {
@@ -121,6 +130,10 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
   if (const auto* piece = object.as<PieceRef>()) {
     return defined_in(access, *(*piece)->scope, "piece `" + (*piece)->name + "`", "E0103");
   }
+  if (const auto* hole = object.as<HoleRef>()) {
+    return defined_in(access, *(*hole)->scope, "hole `" + (*hole)->name + "`", "E0103");
+  }
+  if (const auto* record = object.as<RecordValue>()) return field_of(access, *record);
   if (const auto* body = object.as<BodyValue>()) return body_line(access, *body, object_at);
   if (const auto* line = object.as<BodyLineValue>()) return fact_of_line(access, *line, object_at);
   if (const auto* result = object.as<ResultValue>()) return result_field(access, *result);

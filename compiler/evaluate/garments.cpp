@@ -7,6 +7,7 @@
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/pieces.hpp"
 #include "compiler/evaluate/sewing.hpp"
+#include "compiler/evaluate/solve.hpp"
 
 namespace toile {
 namespace {
@@ -47,6 +48,7 @@ class GarmentBuilder {
     }
     for (const syntax::View item : syntax::items(garment_.written)) {
       if (const auto let = syntax::as<syntax::Let>(item)) define_let(session_, scope, *let);
+      if (const auto solve = syntax::as<syntax::Solve>(item)) define_solve(session_, scope, *solve);
       if (const auto fn = syntax::as<syntax::Fn>(item)) define_function(session_, scope, *fn);
       if (const auto param = syntax::as<syntax::Param>(item)) {
         define_param(session_, scope, *param, garment_.draft.name + ".");
@@ -114,6 +116,7 @@ class GarmentBuilder {
   /// Unfolds, cuts darts, pairs seams and checks the geometry.
   void make() {
     if (!outer_->module().parsed.errors.empty()) return;  // parts may be missing
+    if (depth_of_try(session_)) return;  // `solve` looks at its curves; it will be made when those hold
     std::vector<Diagnostic> found;
     Garment made = make_garment(garment_.draft, found);
     for (Diagnostic& diagnostic : found) {

@@ -16,6 +16,12 @@ std::vector<std::string> PieceInstance::edge_names() const {
   return names;
 }
 
+const HoleInstance* PieceInstance::hole(std::string_view hole_name) const {
+  const auto found =
+      std::find_if(holes.begin(), holes.end(), [&](const auto& each) { return each->name == hole_name; });
+  return found == holes.end() || hole_name.empty() ? nullptr : found->get();
+}
+
 PieceInstance* GarmentInstance::piece(std::string_view piece_name) const {
   for (const auto& piece : pieces) {
     if (piece->name == piece_name) return piece.get();

@@ -64,6 +64,7 @@ struct PlannedEdge {
 /// A piece's statements after its variations were applied: `piece back = front with { … }` starts from front's.
 struct PiecePlan {
   std::vector<syntax::Let> lets;
+  std::vector<syntax::Solve> solves;
   std::optional<syntax::Outline> outline;  // the one that says where the pen starts
   std::vector<PlannedEdge> edges;
   std::vector<syntax::Hole> holes;
@@ -76,15 +77,25 @@ struct PiecePlan {
   std::optional<syntax::Label> label;
 };
 
+struct HoleInstance {
+  std::string name;  // empty when the script gives none
+  syntax::Hole written;
+  std::vector<PlannedEdge> edges;
+  std::unique_ptr<Scope> scope;  // its edges
+};
+
 struct PieceInstance {
   std::string name;
   GarmentInstance* garment = nullptr;
   syntax::Piece written;
   PiecePlan plan;
-  std::unique_ptr<Scope> scope;  // its lets and edges
+  std::unique_ptr<Scope> scope;  // its lets, edges and holes
+  std::vector<std::unique_ptr<HoleInstance>> holes;
   bool sound = true;
 
   std::vector<std::string> edge_names() const;
+  /// The hole of that name, or null.
+  const HoleInstance* hole(std::string_view hole_name) const;
 };
 
 struct GarmentInstance {

@@ -41,8 +41,41 @@ bool callable(const Value& value) {
          value.as<BodyTemplateRef>() != nullptr || value.as<GarmentTemplateRef>() != nullptr;
 }
 
+/// The value tried, or the one made before, as long as that holds.
+std::optional<Value> value_at_hand(Session& session, Definition& definition) {
+  if (definition.tried) {
+    note_try(session, definition.tried->depth);
+    return definition.tried->value;
+  }
+  if (definition.state != Definition::State::Done) return std::nullopt;
+  if (!definition.depends_on_try) return definition.value;
+  if (definition.made_in_try != session.tries) return std::nullopt;
+  note_try(session, *definition.depends_on_try);
+  return definition.value;
+}
+
+/// Whether what runs inside of the definition is a solve whose equations need it: `let area = side^2` asks for `side`,
+/// and that is sought so that the area comes out right. With a value to try that is no circle.
+bool needed_by_a_try(const Session& session, const Definition& definition) {
+  for (auto inner = session.running.rbegin(); inner != session.running.rend() && *inner != &definition; ++inner) {
+    if ((*inner)->tried) return true;
+  }
+  return false;
+}
+
+Value computed_for_a_try(Session& session, Definition& definition) {
+  const std::optional<std::size_t> depended = definition.depends_on_try;
+  session.running.push_back(&definition);
+  const Holding<int> for_real(session.supposing, 0);
+  Value value = definition.compute();
+  session.running.pop_back();
+  definition.depends_on_try = depended;
+  return value;
+}
+
 /// A definition inside a call, seen from a branch that is not taken: computed in supposition only.
 Value supposed_value(Definition& definition) {
+  if (definition.tried) return forget(definition.tried->value);
   if (definition.state == Definition::State::Done) return forget(definition.value);
   if (definition.state == Definition::State::Running) return Unknown{};
   if (!definition.supposed) {
@@ -60,20 +93,43 @@ Value value_of(Session& session, Definition& definition, const Scope& where) {
 
 }  // namespace
 
+void note_try(Session& session, std::size_t depth) {
+  for (std::size_t i = depth + 1; i < session.running.size(); ++i) {
+    std::optional<std::size_t>& depends = session.running[i]->depends_on_try;
+    depends = std::min(depends.value_or(depth), depth);
+  }
+}
+
+std::optional<std::size_t> depth_of_try(const Session& session) {
+  if (session.running.empty()) return std::nullopt;
+  const Definition& innermost = *session.running.back();
+  return innermost.tried ? std::optional(innermost.tried->depth) : innermost.depends_on_try;
+}
+
+void mark_try(const Session& session, Definition& definition) {
+  definition.depends_on_try = depth_of_try(session);
+  definition.made_in_try = session.tries;
+}
+
 Value force(Session& session, Definition& definition) {
-  if (definition.state == Definition::State::Done) return definition.value;
+  if (const std::optional<Value> value = value_at_hand(session, definition)) return *value;
   if (definition.state == Definition::State::Running) {
+    if (needed_by_a_try(session, definition)) return computed_for_a_try(session, definition);
     report_circle(session, definition);
     return Unknown{};
   }
   definition.state = Definition::State::Running;
+  definition.depends_on_try.reset();
   session.running.push_back(&definition);
+  const std::size_t put_aside = session.report.put_aside();
   Value value;
   {
     const Holding<int> for_real(session.supposing, 0);
     value = definition.compute();
   }
   session.running.pop_back();
+  definition.made_in_try = session.tries;
+  if (!definition.depends_on_try) session.report.release(put_aside);
   // What only a drape will tell is asked for again after it.
   const bool settled = value.unknown() || value.known();
   definition.state = settled ? Definition::State::Done : Definition::State::Fresh;

@@ -13,6 +13,14 @@ namespace toile {
 /// that is reported with the whole circle.
 Value force(Session& session, Definition& definition);
 
+/// `solve` tries values for its unknowns, and what is computed from one is stale with the next. Everything that runs
+/// inside of the solve at that depth now depends on its value.
+void note_try(Session& session, std::size_t depth);
+/// The depth of the outermost solve whose value the innermost definition used so far; nothing when it used none.
+std::optional<std::size_t> depth_of_try(const Session& session);
+/// For a definition whose value comes from outside: it depends on what the innermost running one depends on.
+void mark_try(const Session& session, Definition& definition);
+
 /// What a name is wanted for. Before an argument list a function is preferred to a `param length` that hides it, and
 /// where a curve is wanted an edge is preferred to a measure of the same name.
 enum class Wish { Value, Function, Curve };

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <set>
 
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/pieces.hpp"
@@ -9,17 +10,45 @@
 namespace toile {
 namespace {
 
-/// Replaces the entry of the same name, or adds one.
-void take_let(const Session& session, const Module& module, std::vector<syntax::Let>& lets, const syntax::Let& let) {
-  const std::string name = session.name_of(module, let.name());
-  const auto same = std::find_if(lets.begin(), lets.end(), [&](const syntax::Let& other) {
+bool is_among(const Session& session, const Module& module, const std::vector<syntax::Hole>& holes,
+              const syntax::Hole& hole) {
+  const std::string name = session.name_of(module, hole.name());
+  return !name.empty() && std::any_of(holes.begin(), holes.end(), [&](const syntax::Hole& other) {
     return session.name_of(module, other.name()) == name;
   });
-  if (same != lets.end()) {
+}
+
+/// The names that a `solve` defines.
+std::set<std::string> names_of(const Session& session, const Module& module, const syntax::Solve& solve) {
+  std::set<std::string> names;
+  for (const syntax::Sought& sought : solve.unknowns()) names.insert(session.name_of(module, sought.name()));
+  return names;
+}
+
+/// Replaces what defined that name, or adds it.
+void take_let(const Session& session, const Module& module, PiecePlan& plan, const syntax::Let& let) {
+  const std::string name = session.name_of(module, let.name());
+  std::erase_if(plan.solves,
+                [&](const syntax::Solve& solve) { return names_of(session, module, solve).contains(name); });
+  const auto same = std::find_if(plan.lets.begin(), plan.lets.end(), [&](const syntax::Let& other) {
+    return session.name_of(module, other.name()) == name;
+  });
+  if (same != plan.lets.end()) {
     *same = let;
   } else {
-    lets.push_back(let);
+    plan.lets.push_back(let);
   }
+}
+
+/// Replaces what defined any of its unknowns, or adds it.
+void take_solve(const Session& session, const Module& module, PiecePlan& plan, const syntax::Solve& solve) {
+  const std::set<std::string> names = names_of(session, module, solve);
+  std::erase_if(plan.lets, [&](const syntax::Let& let) { return names.contains(session.name_of(module, let.name())); });
+  std::erase_if(plan.solves, [&](const syntax::Solve& other) {
+    const std::set<std::string> others = names_of(session, module, other);
+    return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return others.contains(name); });
+  });
+  plan.solves.push_back(solve);
 }
 
 }  // namespace
@@ -71,28 +100,39 @@ PieceInstance* PiecePlanner::base_of(PieceInstance& piece) {
   return nullptr;
 }
 
+void PiecePlanner::take_name(std::map<std::string, Location>& own, const syntax::Token& name) {
+  const Module& module = garment_.scope->module();
+  const std::string text = session_.name_of(module, name);
+  const auto [earlier, is_new] = own.try_emplace(text, module.at(name));
+  if (is_new) return;
+  session_.report.add(Problem("E0102", "`" + text + "` is defined twice")
+                          .at(module.at(name), "defined again here")
+                          .also(earlier->second, "first defined here"));
+}
+
 void PiecePlanner::apply(PieceInstance& piece) {
   PiecePlan& plan = piece.plan;
   const Module& module = garment_.scope->module();
   bool own_darts = false;
   bool own_notches = false;
+  std::vector<syntax::Hole> own_holes;
   std::map<std::string, Location> own_lets;
   for (const syntax::View item : syntax::items(piece.written)) {
     if (const auto let = syntax::as<syntax::Let>(item)) {
-      const std::string name = session_.name_of(module, let->name());
-      const Location at = let->name() ? module.at(*let->name()) : module.at(*let);
-      if (const auto [earlier, is_new] = own_lets.try_emplace(name, at); !is_new) {
-        session_.report.add(Problem("E0102", "`" + name + "` is defined twice")
-                                .at(at, "defined again here")
-                                .also(earlier->second, "first defined here"));
+      if (!let->name()) continue;
+      take_name(own_lets, *let->name());
+      take_let(session_, module, plan, *let);
+    } else if (const auto solve = syntax::as<syntax::Solve>(item)) {
+      for (const syntax::Sought& sought : solve->unknowns()) {
+        if (sought.name()) take_name(own_lets, *sought.name());
       }
-      take_let(session_, module, plan.lets, *let);
+      take_solve(session_, module, plan, *solve);
     } else if (const auto outline = syntax::as<syntax::Outline>(item)) {
       vary_outline(piece, *outline);
     } else if (const auto edge = syntax::as<syntax::Edge>(item)) {
       take_edge(piece, *edge);
     } else if (const auto hole = syntax::as<syntax::Hole>(item)) {
-      plan.holes.push_back(*hole);
+      own_holes.push_back(*hole);
     } else if (const auto fold = syntax::as<syntax::Fold>(item)) {
       plan.fold = fold;
     } else if (const auto cut = syntax::as<syntax::Cut>(item)) {
@@ -113,6 +153,9 @@ void PiecePlanner::apply(PieceInstance& piece) {
       plan.label = label;
     }
   }
+  // Two holes of one name in one block stay two, for the definition of names to notice.
+  std::erase_if(plan.holes, [&](const syntax::Hole& hole) { return is_among(session_, module, own_holes, hole); });
+  plan.holes.insert(plan.holes.end(), own_holes.begin(), own_holes.end());
 }
 
 void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& outline) {

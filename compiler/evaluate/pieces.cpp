@@ -10,41 +10,76 @@
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/solve.hpp"
 #include "compiler/evaluate/walk.hpp"
 #include "compiler/evaluate/want.hpp"
 
 namespace toile {
 namespace {
 
-/// Where the outline begins.
-std::optional<Vec2> origin(Session& session, const PieceInstance& piece) {
-  if (!piece.plan.outline) return std::nullopt;
-  return Wanted{session, *piece.scope}.point(piece.plan.outline->origin(), "the place where an outline begins");
+/// Edges that the pen walks one after another: an outline or a hole.
+struct Walk {
+  const Scope* scope = nullptr;
+  const std::vector<PlannedEdge>* edges = nullptr;
+  std::optional<syntax::Expr> origin;
+  const char* begins = "";  // what the origin is
+};
+
+Definition* definition_of(const Walk& loop, std::size_t edge) {
+  return loop.scope->own((*loop.edges)[edge].name);
 }
 
-/// The curve of the piece's i-th edge: walks on from the one before it.
-Value edge_curve(Session& session, const PieceInstance& piece, std::size_t i) {
-  const std::optional<Vec2> start = origin(session, piece);
+/// The curve of the i-th edge: walks on from the one before it.
+Value edge_curve(Session& session, const Walk& loop, std::size_t i) {
+  const std::optional<Vec2> start = Wanted{session, *loop.scope}.point(loop.origin, loop.begins);
   std::optional<Vec2> pen = start;
   if (i > 0) {
     // One after another, so that a long outline is no deep recursion.
     std::size_t first = i;
     const auto fresh = [&](std::size_t edge) {
-      const Definition* definition = piece.scope->own(piece.plan.edges[edge].name);
+      const Definition* definition = definition_of(loop, edge);
       return definition != nullptr && definition->state == Definition::State::Fresh;
     };
     while (first > 0 && fresh(first - 1)) --first;
-    for (std::size_t earlier = first; earlier + 1 < i; ++earlier) {
-      force(session, *piece.scope->own(piece.plan.edges[earlier].name));
-    }
-    Definition* before = piece.scope->own(piece.plan.edges[i - 1].name);
+    for (std::size_t earlier = first; earlier + 1 < i; ++earlier) force(session, *definition_of(loop, earlier));
+    Definition* before = definition_of(loop, i - 1);
     const Value value = before == nullptr ? Value{} : force(session, *before);
     const auto* curve = value.as<PlaneCurve>();
     pen = curve != nullptr && curve->curve ? std::optional(curve->curve->end()) : std::nullopt;
   }
   if (!pen || !start) return Unknown{};
-  auto curve = walk(session, *piece.scope, piece.plan.edges[i].written, *pen, *start);
+  auto curve = walk(session, *loop.scope, (*loop.edges)[i].written, *pen, *start);
   return curve ? curve_value(std::move(*curve)) : Value{};
+}
+
+/// False when a name is taken.
+bool define_edges(Session& session, Scope& scope, const Walk& loop) {
+  bool good = true;
+  for (std::size_t i = 0; i < loop.edges->size(); ++i) {
+    Definition* made = define(session, scope, (*loop.edges)[i].written.name(),
+                              [&session, loop, i] { return edge_curve(session, loop, i); });
+    if (made != nullptr) made->yields = true;
+    good = good && made != nullptr;
+  }
+  return good;
+}
+
+void define_hole(Session& session, PieceInstance& piece, const syntax::Hole& written) {
+  HoleInstance& hole = *piece.holes.emplace_back(std::make_unique<HoleInstance>());
+  Module& module = piece.scope->module();
+  hole.name = session.name_of(module, written.name());
+  hole.written = written;
+  hole.scope = std::make_unique<Scope>(module, piece.scope.get());
+  for (const syntax::View item : syntax::items(written)) {
+    const auto edge = syntax::as<syntax::Edge>(item);
+    if (edge && edge->name()) hole.edges.push_back({session.name_of(module, edge->name()), *edge});
+  }
+  const Walk loop{hole.scope.get(), &hole.edges, written.origin(), "the place where a hole begins"};
+  if (!define_edges(session, *hole.scope, loop)) piece.sound = false;
+  if (!written.name()) return;
+  Definition* made = define(session, *piece.scope, written.name(), [&hole]() -> Value { return HoleRef{&hole}; });
+  if (made != nullptr) made->yields = true;
+  if (made == nullptr) piece.sound = false;
 }
 
 class PieceDrafter {
@@ -59,7 +94,7 @@ class PieceDrafter {
     // All names are checked, also those that no edge uses.
     for (const auto& definition : piece_.scope->definitions()) force(session_, *definition);
     read_outline();
-    for (const syntax::Hole& hole : piece_.plan.holes) read_hole(hole);
+    for (const auto& hole : piece_.holes) read_hole(*hole);
     read_fold();
     read_cut();
     read_grain();
@@ -82,32 +117,25 @@ class PieceDrafter {
                               .help("outline from (0cm, 0cm) { ... }"));
       return;
     }
-    for (const PlannedEdge& edge : piece_.plan.edges) {
-      Definition* definition = piece_.scope->own(edge.name);
+    read_edges(piece_.plan.edges, *piece_.scope, draft_.outline);
+  }
+
+  void read_edges(const std::vector<PlannedEdge>& edges, const Scope& scope, std::vector<DraftEdge>& into) {
+    for (const PlannedEdge& edge : edges) {
+      Definition* definition = scope.own(edge.name);
       const Value value = definition == nullptr ? Value{} : force(session_, *definition);
       const auto* curve = value.as<PlaneCurve>();
       if (curve == nullptr || curve->curve == nullptr) {
         fail();
         continue;
       }
-      draft_.outline.push_back({edge.name, *curve->curve, module_.at(edge.written)});
+      into.push_back({edge.name, *curve->curve, module_.at(edge.written)});
     }
   }
 
-  void read_hole(const syntax::Hole& hole) {
-    DraftHole made;
-    made.name = session_.name_of(module_, hole.name());
-    made.written = module_.at(hole);
-    const auto start = wanted_.point(hole.origin(), "the place where a hole begins");
-    std::optional<Vec2> pen = start;
-    for (const syntax::View item : syntax::items(hole)) {
-      const auto edge = syntax::as<syntax::Edge>(item);
-      if (!edge || !pen) continue;
-      auto curve = walk(session_, *piece_.scope, *edge, *pen, *start);
-      pen = curve ? std::optional(curve->end()) : std::nullopt;
-      if (curve) made.edges.push_back({session_.name_of(module_, edge->name()), std::move(*curve), module_.at(*edge)});
-    }
-    if (!pen) return fail();
+  void read_hole(const HoleInstance& hole) {
+    DraftHole made{hole.name, {}, module_.at(hole.written)};
+    read_edges(hole.edges, *hole.scope, made.edges);
     draft_.holes.push_back(std::move(made));
   }
 
@@ -283,12 +311,12 @@ void define_piece_names(Session& session, PieceInstance& piece) {
     define(session, *piece.scope, let.name(),
            [&session, &piece, expr = let.value()] { return evaluate(session, *piece.scope, expr); });
   }
-  for (std::size_t i = 0; i < piece.plan.edges.size(); ++i) {
-    Definition* made = define(session, *piece.scope, piece.plan.edges[i].written.name(),
-                              [&session, &piece, i] { return edge_curve(session, piece, i); });
-    if (made != nullptr) made->yields = true;
-    if (made == nullptr) piece.sound = false;
-  }
+  for (const syntax::Solve& solve : piece.plan.solves) define_solve(session, *piece.scope, solve);
+  const auto& outline = piece.plan.outline;
+  const Walk loop{piece.scope.get(), &piece.plan.edges, outline ? outline->origin() : std::nullopt,
+                  "the place where an outline begins"};
+  if (!define_edges(session, *piece.scope, loop)) piece.sound = false;
+  for (const syntax::Hole& hole : piece.plan.holes) define_hole(session, piece, hole);
 }
 
 DraftPiece draft_piece(Session& session, PieceInstance& piece) {

@@ -25,6 +25,8 @@ class PiecePlanner {
   void apply(PieceInstance& piece);
   void vary_outline(PieceInstance& piece, const syntax::Outline& outline);
   void take_edge(PieceInstance& piece, const syntax::Edge& edge);
+  /// Reports a name that the same piece has defined before.
+  void take_name(std::map<std::string, Location>& own, const syntax::Token& name);
 
   Session& session_;
   GarmentInstance& garment_;
@@ -32,7 +34,8 @@ class PiecePlanner {
   std::map<const PieceInstance*, State> states_;
 };
 
-/// Defines the lets and edges of a planned piece in its scope. Edges are curves; each begins where the one before ends.
+/// Defines the lets, edges and holes of a planned piece in its scope. Edges are curves; each begins where the one
+/// before ends.
 void define_piece_names(Session& session, PieceInstance& piece);
 
 /// The piece as drafted. Sets `piece.sound` to false after a mistake.

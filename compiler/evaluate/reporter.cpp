@@ -27,7 +27,20 @@ bool Reporter::full() const {
   return all_.size() >= most_diagnostics;
 }
 
+void Reporter::release(std::size_t first) {
+  if (aside_ == nullptr) return;
+  std::vector<Diagnostic> released(aside_->begin() + static_cast<std::ptrdiff_t>(first), aside_->end());
+  aside_->resize(first);
+  std::vector<Diagnostic>* const place = set_aside(nullptr);
+  for (Diagnostic& diagnostic : released) add(std::move(diagnostic));
+  set_aside(place);
+}
+
 void Reporter::add(Diagnostic diagnostic) {
+  if (aside_ != nullptr) {
+    aside_->push_back(std::move(diagnostic));
+    return;
+  }
   const Location where = place(diagnostic);
   const bool is_new = seen_.emplace(diagnostic.code, where.file, where.span.begin, where.span.end).second;
   if (!is_new || full()) return;

@@ -43,6 +43,13 @@ class Reporter {
   /// The same code at the same place is reported once: bodies of functions are evaluated at every call.
   void add(Diagnostic diagnostic);
 
+  /// While `place` is not null mistakes are put there instead: what goes wrong with a value that is only tried is no
+  /// mistake of the script. Gives the place before.
+  std::vector<Diagnostic>* set_aside(std::vector<Diagnostic>* place) { return std::exchange(aside_, place); }
+  /// How many were put aside; and those from the `first` on reported after all.
+  std::size_t put_aside() const { return aside_ == nullptr ? 0 : aside_->size(); }
+  void release(std::size_t first);
+
   /// While a function's body is evaluated, mistakes in it show the call, too.
   void enter_call(Location call) { calls_.push_back(call); }
   void leave_call() { calls_.pop_back(); }
@@ -58,6 +65,7 @@ class Reporter {
   std::vector<Diagnostic> all_;
   std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t>> seen_;
   std::vector<Location> calls_;
+  std::vector<Diagnostic>* aside_ = nullptr;
   int errors_ = 0;
 };
 

@@ -21,6 +21,15 @@ struct Definition {
   std::function<Value()> compute;
   enum class State { Fresh, Running, Done } state = State::Fresh;
   Value value;
+  /// While `solve` looks for it: the value that is tried, and how many definitions ran outside of that solve.
+  struct Tried {
+    Value value;
+    std::size_t depth = 0;
+  };
+  std::optional<Tried> tried;
+  /// Made from values that were tried by solves at this depth or deeper: good for the try of that number alone.
+  std::optional<std::size_t> depends_on_try;
+  long made_in_try = 0;
   bool yields = false;            // an edge: a value of that name outside of its piece comes before it
   std::optional<Value> supposed;  // as a branch that is not taken sees it (definitions within a call)
 };

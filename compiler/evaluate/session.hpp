@@ -55,6 +55,7 @@ struct Session {
   long steps = 0;
   bool exhausted = false;  // a bound was met: unwind in silence
   std::vector<Definition*> running;
+  long tries = 0;  // values tried by `solve`, so far; a change makes what depends on the last one stale
 
   /// What was found for calls and branches that were only supposed, by place and kinds of arguments.
   std::map<std::pair<const UserFunction*, std::string>, Value> supposed_calls;

@@ -70,31 +70,55 @@ class SewingReader {
       return std::nullopt;
     }
     made.edge = session_.name_of(module_, path[1]);
+    if (const HoleInstance* hole = piece->hole(made.edge)) {
+      if (!read_rim(path, *hole, made)) return std::nullopt;
+      return read_side(path, 3, made) ? std::optional(made) : std::nullopt;
+    }
+    // An edge of a hole without the hole's name: make_garment() tells how it is written.
     std::vector<std::string> known = piece->edge_names();
-    for (const DraftPiece& drafted : garment_.draft.pieces) {
-      if (drafted.name != made.piece) continue;
-      for (const DraftHole& hole : drafted.holes) {
-        for (const DraftEdge& rim : hole.edges) known.push_back(rim.name);
-      }
+    for (const auto& hole : piece->holes) {
+      if (!hole->name.empty()) known.push_back(hole->name);
+      for (const PlannedEdge& rim : hole->edges) known.push_back(rim.name);
     }
     if (std::find(known.begin(), known.end(), made.edge) == known.end()) {
       report_unknown(session_, module_, path[1], fmt::format("piece `{}` has no edge `{}`", made.piece, made.edge),
                      known, "E0308");
       return std::nullopt;
     }
-    return read_side(path, made) ? std::optional(made) : std::nullopt;
+    return read_side(path, 2, made) ? std::optional(made) : std::nullopt;
   }
 
-  bool read_side(const std::vector<syntax::Token>& path, DraftEdgeRef& edge) {
-    if (path.size() == 2) return true;
-    const std::string side = session_.name_of(module_, path[2]);
+  /// `piece.hole.edge`.
+  bool read_rim(const std::vector<syntax::Token>& path, const HoleInstance& hole, DraftEdgeRef& edge) {
+    std::vector<std::string> known;
+    for (const PlannedEdge& rim : hole.edges) known.push_back(rim.name);
+    if (path.size() < 3) {
+      const std::string example = known.empty() ? "rim" : known.front();
+      session_.report.add(Problem("E0308", fmt::format("`{}.{}` is a hole, no edge", edge.piece, hole.name))
+                              .at(module_.at(path[1]))
+                              .help(fmt::format("name its edges: `{}.{}.{}`", edge.piece, hole.name, example)));
+      return false;
+    }
+    const std::string rim = session_.name_of(module_, path[2]);
+    edge.edge = hole.name + "." + rim;
+    if (std::find(known.begin(), known.end(), rim) != known.end()) return true;
+    report_unknown(session_, module_, path[2], fmt::format("hole `{}` has no edge `{}`", hole.name, rim), known,
+                   "E0308");
+    return false;
+  }
+
+  /// What stands behind the edge's name, if anything.
+  bool read_side(const std::vector<syntax::Token>& path, std::size_t at, DraftEdgeRef& edge) {
+    if (path.size() == at) return true;
+    const std::string side = session_.name_of(module_, path[at]);
     if (side == "drawn") edge.side = Side::Drawn;
     if (side == "mirrored") edge.side = Side::Mirrored;
-    if (edge.side && path.size() == 3) return true;
-    report_unknown(session_, module_, edge.side ? path[3] : path[2],
-                   fmt::format("edge `{}` has a drawn and a mirrored side, no `{}`", edge.edge,
-                               session_.name_of(module_, edge.side ? path[3] : path[2])),
-                   {"drawn", "mirrored"}, "E0103");
+    if (edge.side && path.size() == at + 1) return true;
+    const syntax::Token& wrong = edge.side ? path[at + 1] : path[at];
+    report_unknown(
+        session_, module_, wrong,
+        fmt::format("edge `{}` has a drawn and a mirrored side, no `{}`", edge.edge, session_.name_of(module_, wrong)),
+        {"drawn", "mirrored"}, "E0103");
     return false;
   }
 

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/evaluate/instances.hpp"
 #include "compiler/units/format.hpp"
 
@@ -33,6 +35,12 @@ Value list_value(std::vector<Value> items, bool known) {
   return {ListValue{std::make_shared<const std::vector<Value>>(std::move(items))}, known};
 }
 
+Value record_value(std::vector<RecordValue::Field> fields) {
+  bool known = true;
+  for (const RecordValue::Field& field : fields) known = known && field.value.known();
+  return {RecordValue{std::make_shared<const std::vector<RecordValue::Field>>(std::move(fields))}, known};
+}
+
 Value forget(const Value& value) {
   return std::visit(Overloaded{
                         [](const Quantity& q) -> Value {
@@ -54,6 +62,11 @@ Value forget(const Value& value) {
                           if (list.items->empty()) return list_value({}, false);
                           return list_value({forget(list.items->front())}, false);
                         },
+                        [](const RecordValue& record) -> Value {
+                          std::vector<RecordValue::Field> fields = *record.fields;
+                          for (RecordValue::Field& field : fields) field.value = forget(field.value);
+                          return record_value(std::move(fields));
+                        },
                         [&](const auto&) -> Value { return value; },
                     },
                     value.data());
@@ -72,6 +85,11 @@ std::string describe(const Value& value) {
                         [](const Point3&) -> std::string { return "a point in space"; },
                         [](const PlaneCurve&) -> std::string { return "a curve"; },
                         [](const ListValue&) -> std::string { return "a list"; },
+                        [](const RecordValue& record) -> std::string {
+                          std::string names;
+                          for (const auto& field : *record.fields) names += (names.empty() ? "" : ", ") + field.name;
+                          return "a record (" + names + ")";
+                        },
                         [](const BodyValue&) -> std::string { return "a body"; },
                         [](const BodyLineValue&) -> std::string { return "a line of a body"; },
                         [](const FabricValue&) -> std::string { return "a fabric"; },
@@ -84,6 +102,7 @@ std::string describe(const Value& value) {
                         [](GarmentTemplateRef) -> std::string { return "a garment with parameters"; },
                         [](GarmentRef) -> std::string { return "a garment"; },
                         [](PieceRef) -> std::string { return "a piece"; },
+                        [](HoleRef) -> std::string { return "a hole"; },
                     },
                     value.data());
 }
@@ -97,6 +116,10 @@ std::string signature(const Value& value) {
   if (const auto* list = value.as<ListValue>(); list != nullptr && !list->items->empty()) {
     text += "[" + signature(list->items->front()) + "]";
   }
+  if (const auto* record = value.as<RecordValue>()) {
+    for (const RecordValue::Field& field : *record->fields)
+      text += "(" + field.name + ":" + signature(field.value) + ")";
+  }
   return text;
 }
 
@@ -106,6 +129,12 @@ bool alike(const Value& a, const Value& b) {
     const auto& left = *a.as<ListValue>()->items;
     const auto& right = *b.as<ListValue>()->items;
     return left.empty() || right.empty() || alike(left.front(), right.front());
+  }
+  const auto* left = a.as<RecordValue>();
+  const auto* right = b.as<RecordValue>();
+  if (left != nullptr && right != nullptr) {
+    return std::equal(left->fields->begin(), left->fields->end(), right->fields->begin(), right->fields->end(),
+                      [](const auto& x, const auto& y) { return x.name == y.name && alike(x.value, y.value); });
   }
   return signature(a) == signature(b);
 }
@@ -133,12 +162,20 @@ std::string format(const Value& value) {
             for (const Value& item : *list.items) text += (text.empty() ? "" : ", ") + format(item);
             return "[" + text + "]";
           },
+          [](const RecordValue& record) {
+            std::string text;
+            for (const RecordValue::Field& field : *record.fields) {
+              text += (text.empty() ? "" : ", ") + field.name + ": " + format(field.value);
+            }
+            return "(" + text + ")";
+          },
           [](const BodyValue& body) { return "body " + body.body->spec.name; },
           [](const BodyLineValue& line) { return line.body->spec.name + "." + line.line; },
           [](const FabricValue& fabric) { return "fabric " + fabric.sheet->name; },
           [](const TextileValue& textile) { return "textile " + textile.textile->name; },
           [](GarmentRef garment) { return "garment " + garment->draft.name; },
           [](PieceRef piece) { return "piece " + piece->name; },
+          [](HoleRef hole) { return "hole " + hole->name; },
           [&](const auto&) { return describe(value); },
       },
       value.data());

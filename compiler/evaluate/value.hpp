@@ -27,6 +27,7 @@ struct GarmentTemplate;
 struct BodyInstance;
 struct GarmentInstance;
 struct PieceInstance;
+struct HoleInstance;
 struct DrapeRecord;
 
 /// Nothing can be said of it: a mistake was reported where it comes from, or its function's argument is not known yet.
@@ -60,6 +61,11 @@ struct PlaneCurve {
 struct ListValue {
   std::shared_ptr<const std::vector<Value>> items;
 };
+/// Named values, in the order in which they were written.
+struct RecordValue {
+  struct Field;
+  std::shared_ptr<const std::vector<Field>> fields;
+};
 struct BodyValue {
   std::shared_ptr<BodyInstance> body;
 };
@@ -87,12 +93,13 @@ using BodyTemplateRef = const BodyTemplate*;
 using GarmentTemplateRef = const GarmentTemplate*;
 using GarmentRef = GarmentInstance*;
 using PieceRef = PieceInstance*;
+using HoleRef = const HoleInstance*;
 
 class Value {
  public:
-  using Data = std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, BodyValue,
-                            BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef, ModuleRef,
-                            BodyTemplateRef, GarmentTemplateRef, GarmentRef, PieceRef>;
+  using Data = std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue,
+                            BodyValue, BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef,
+                            ModuleRef, BodyTemplateRef, GarmentTemplateRef, GarmentRef, PieceRef, HoleRef>;
 
   Value() = default;
   template <typename T>
@@ -115,11 +122,18 @@ class Value {
   bool known_ = true;
 };
 
+struct RecordValue::Field {
+  std::string name;
+  Value value;
+};
+
 /// A plain number, and a length.
 Value number(double value, bool known = true);
 Value metres(double value, bool known = true);
 Value curve_value(Curve curve);
 Value list_value(std::vector<Value> items, bool known = true);
+/// Known as far as all of its fields are.
+Value record_value(std::vector<RecordValue::Field> fields);
 
 /// The same value without its magnitude. Things that have none (a fabric, a function, a text) stay as they are.
 Value forget(const Value& value);

@@ -2,6 +2,8 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/want.hpp"
@@ -18,6 +20,17 @@ class Walker {
       : session_(session), wanted_{session, scope}, walk_(walk), pen_(pen), start_(start) {}
 
   std::optional<Curve> draw() {
+    if (clause_given_twice()) return std::nullopt;
+    std::optional<Curve> curve = drawn();
+    const auto length_expr = walk_.wanted_length();
+    if (!length_expr) return curve;
+    const auto length = wanted_.positive(length_expr, dimension::length, "the length of an edge");
+    if (!curve || !length) return std::nullopt;
+    return lengthened(session_, *curve, *length, at(*length_expr));
+  }
+
+ private:
+  std::optional<Curve> drawn() {
     if (walk_.kind() == Kind::CircleWalk) return whole_circle();
     if (walk_.kind() == Kind::AlongWalk) return along();
     const std::optional<Vec2> target =
@@ -34,7 +47,21 @@ class Walker {
     }
   }
 
- private:
+  /// `leaving 0deg leaving 10deg`
+  bool clause_given_twice() {
+    std::map<Kind, syntax::Token> given;
+    for (const syntax::Token word : syntax::all<syntax::Token>(walk_)) {
+      if (!syntax::is_keyword(word.kind())) continue;
+      const auto [earlier, is_new] = given.try_emplace(word.kind(), word);
+      if (is_new) continue;
+      session_.report.add(Problem("E0109", fmt::format("`{}` is given twice", syntax::spelling(word.kind())))
+                              .at(at(word), "given again here")
+                              .also(at(earlier->second), "already given here"));
+      return true;
+    }
+    return false;
+  }
+
   Location at(const syntax::View& view) const { return wanted_.scope.module().at(view); }
 
   std::optional<Curve> tangents(const std::optional<Vec2>& target) {
@@ -47,8 +74,16 @@ class Walker {
     const auto arriving = angle(arriving_expr, "the direction after `arriving`");
     const bool sound =
         leaving.has_value() == leaving_expr.has_value() && arriving.has_value() == arriving_expr.has_value();
+    std::vector<Vec2> points{pen_};
+    for (const syntax::Expr& waypoint : walk_.waypoints()) {
+      const auto point = wanted_.point(waypoint, "a point after `through`");
+      if (!point) return std::nullopt;
+      points.push_back(*point);
+    }
     if (!target || !sound) return std::nullopt;
-    return drawn_curve(pen_, *target, leaving, arriving);
+    if (points.size() == 1) return drawn_curve(pen_, *target, leaving, arriving);
+    points.push_back(*target);
+    return drawn_spline(session_, points, leaving, arriving, false, at(walk_));
   }
 
   std::optional<Curve> arc(const std::optional<Vec2>& target) {

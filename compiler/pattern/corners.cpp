@@ -13,7 +13,7 @@ Chain reversed(const Chain& chain) {
 
 double length(const std::vector<Piece>& pieces, const Chain& chain) {
   double sum = 0;
-  for (const ChainLink& link : chain) sum += pieces[link.edge.piece].edges[link.edge.edge].curve.length();
+  for (const ChainLink& link : chain) sum += pieces[link.edge.piece].edge(link.edge.edge).curve.length();
   return sum;
 }
 
@@ -21,7 +21,7 @@ SewnCorners::SewnCorners(const std::vector<Piece>& pieces) : pieces_(pieces) {
   int corners = 0;
   for (const Piece& piece : pieces) {
     first_corner_.push_back(corners);
-    corners += static_cast<int>(piece.edges.size());
+    corners += piece.edge_count();
   }
   parent_.resize(corners);
   std::iota(parent_.begin(), parent_.end(), 0);
@@ -37,8 +37,7 @@ void SewnCorners::unite(int a, int b) {
 }
 
 int SewnCorners::corner_at_start(const ChainLink& link) const {
-  const int n = static_cast<int>(pieces_[link.edge.piece].edges.size());
-  const int corner = link.forward ? link.edge.edge : (link.edge.edge + 1) % n;
+  const int corner = link.forward ? link.edge.edge : pieces_[link.edge.piece].next_edge(link.edge.edge);
   return first_corner_[link.edge.piece] + corner;
 }
 

@@ -63,7 +63,7 @@ struct DraftPiece {
 
 struct DraftEdgeRef {
   std::string piece;
-  std::string edge;
+  std::string edge;          // of a hole with its name: "eye.rim"
   std::optional<Side> side;  // only where the script says it: front.side.mirrored
   Location written;
 };
@@ -105,9 +105,10 @@ struct DraftGarment {
 /// to b` then means both pairs. Which pairs, the drawing tells: walk both drawn lines with their cloth on the left;
 /// where their chords point the same way (positive dot product) the two lines face the same side - two side seams, two
 /// shoulders, a centre back and itself - and drawn meets mirrored; where they point against each other (a bodice's
-/// lower and a skirt's upper edge, the legs of a dart) drawn meets drawn. Of chains the first edges decide; the further
-/// edges of a chain are the copies that run on from them once sewn. A side named in the script (front.side.mirrored)
-/// means that one alone. An edge without a copy that is sewn to one with two takes both, as a chain, when the lengths
+/// lower and a skirt's upper edge, the legs of a dart) drawn meets drawn, and so it does where one of them is closed by
+/// itself, as the rim of a hole is. Of chains the first edges decide; the further edges of a chain are the copies that
+/// run on from them once sewn. A side named in the script (front.side.mirrored) means that one alone. An edge without a
+/// copy that is sewn to one with two takes both, as a chain, when the lengths
 /// agree. Two chains meet end to start ("opposite", both walked with their cloth on the left) as right sides laid
 /// together do, which keeps the surface orientable; `reversed` sews start to start. In closed lines the edges named
 /// first meet each other.

@@ -18,12 +18,13 @@ double allowance_of(const DraftPiece& draft, const std::string& edge) {
 }
 
 // The edges as a loop that runs to the left (or to the right) of what it bounds; says whether it was turned round.
-std::vector<PieceEdge> directed(const DraftPiece& draft, const std::vector<DraftEdge>& drafted, bool left,
-                                bool& as_drawn) {
+std::vector<PieceEdge> directed(const DraftPiece& draft, const std::vector<DraftEdge>& drafted, const std::string& hole,
+                                bool left, bool& as_drawn) {
   std::vector<PieceEdge> edges;
   edges.reserve(drafted.size());
   for (const DraftEdge& edge : drafted) {
-    edges.push_back({edge.name, Side::Drawn, 0, false, edge.curve, allowance_of(draft, edge.name), edge.written});
+    const std::string name = hole.empty() ? edge.name : hole + "." + edge.name;
+    edges.push_back({name, Side::Drawn, 0, false, edge.curve, allowance_of(draft, name), edge.written});
   }
   as_drawn = (signed_area(whole_outline(edges)) > 0) == left;
   if (as_drawn) return edges;
@@ -42,10 +43,10 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   piece.warp = draft.warp;
   piece.quantity = draft.mirrored ? std::max(1, draft.quantity / 2) : draft.quantity;
   piece.written = draft.written;
-  piece.edges = directed(draft, draft.outline, true, drawn.as_drawn);
+  piece.edges = directed(draft, draft.outline, "", true, drawn.as_drawn);
   for (const DraftHole& hole : draft.holes) {
     bool hole_as_drawn = true;
-    piece.holes.push_back(directed(draft, hole.edges, false, hole_as_drawn));
+    piece.holes.push_back(directed(draft, hole.edges, hole.name, false, hole_as_drawn));
   }
   return drawn;
 }

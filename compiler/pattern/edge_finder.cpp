@@ -3,7 +3,6 @@
 #include <algorithm>
 
 #include "compiler/diag/nearest.hpp"
-#include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/sewing.hpp"
 
 namespace toile {
@@ -15,26 +14,61 @@ std::optional<Chain> parts_of(const std::vector<Piece>& pieces, const std::strin
   Chain chain;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (pieces[p].drawn_name != piece) continue;
-    for (std::size_t e = 0; e < pieces[p].edges.size(); ++e) {
-      const PieceEdge& candidate = pieces[p].edges[e];
+    for (int e = 0; e < pieces[p].edge_count(); ++e) {
+      const PieceEdge& candidate = pieces[p].edge(e);
       if (candidate.is_dart_leg || candidate.name != edge || candidate.side != side) continue;
-      chain.push_back({{static_cast<int>(p), static_cast<int>(e)}, true});
+      chain.push_back({{static_cast<int>(p), e}, true});
     }
   }
   if (chain.empty()) return std::nullopt;
   return chain;
 }
 
-std::string hole_with(const DraftPiece& piece, const std::string& edge) {
+const DraftHole* hole_with(const DraftPiece& piece, const std::string& edge) {
   for (const DraftHole& hole : piece.holes) {
     for (const DraftEdge& rim : hole.edges) {
-      if (rim.name == edge) return hole.name.empty() ? "a hole" : "hole " + quoted(hole.name);
+      if (rim.name == edge) return &hole;
     }
   }
-  return "";
+  return nullptr;
+}
+
+void report_unknown_edge(const DraftPiece& piece, const DraftEdgeRef& reference, Findings& findings) {
+  std::vector<Label> labels{{reference.written, "unknown edge"}, {piece.written, "the piece"}};
+  const DraftHole* hole = hole_with(piece, reference.edge);
+  if (hole == nullptr) {
+    std::vector<std::string> names;
+    for (const DraftEdge& edge : piece.outline) names.push_back(edge.name);
+    for (const DraftHole& other : piece.holes) {
+      for (const DraftEdge& rim : other.edges) names.push_back(other.name + "." + rim.name);
+    }
+    findings.error("E0308", "piece " + quoted(piece.name) + " has no edge named " + quoted(reference.edge),
+                   std::move(labels), suggestion(reference.edge, names));
+    return;
+  }
+  labels.push_back({hole->written, "the hole"});
+  const std::string owner = hole->name.empty() ? "a hole" : "hole " + quoted(hole->name);
+  findings.error(
+      "E0308", fmt::format("edge {} of piece {} bounds {}", quoted(reference.edge), quoted(piece.name), owner),
+      std::move(labels),
+      hole->name.empty()
+          ? fmt::format("give the hole a name, `hole eye from ...`, and write `{}.eye.{}`", piece.name, reference.edge)
+          : fmt::format("write `{}.{}.{}`", piece.name, hole->name, reference.edge));
 }
 
 }  // namespace
+
+const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name) {
+  for (const DraftEdge& edge : piece.outline) {
+    if (edge.name == name) return &edge;
+  }
+  for (const DraftHole& hole : piece.holes) {
+    for (const DraftEdge& rim : hole.edges) {
+      if (!hole.name.empty() && hole.name + "." + rim.name == name) return &rim;
+    }
+  }
+  return nullptr;
+}
 
 std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const char* deed, Findings& findings) const {
   const auto piece = std::find_if(draft_.pieces.begin(), draft_.pieces.end(),
@@ -54,17 +88,11 @@ std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const c
         "leave this out, or leave out the fold to have a seam there");
     return std::nullopt;
   }
-  if (const std::string hole = hole_with(*piece, reference.edge); !hole.empty()) {
-    findings.error("E0308",
-                   fmt::format("edge {} bounds {} of piece {} and cannot be {}", quoted(reference.edge), hole,
-                               quoted(piece->name), deed),
-                   {{reference.written, "an edge of a hole"}, {piece->written, "the piece"}},
-                   "divide the piece so that the line becomes an edge of its outline");
+  if (drafted_edge(*piece, reference.edge) == nullptr) {
+    report_unknown_edge(*piece, reference, findings);
     return std::nullopt;
   }
-  const std::optional<int> edge = find_edge(*piece, reference.edge, reference.written, findings);
-  if (!edge) return std::nullopt;
-  FoundEdge found{&reference, &*piece, &piece->outline[*edge], piece->fold || piece->mirrored, {}};
+  FoundEdge found{&reference, piece->fold || piece->mirrored, {}};
   if (reference.side == Side::Mirrored && !found.copied) {
     findings.error("E0322", fmt::format("piece {} has no mirrored copy", quoted(piece->name)),
                    {{reference.written, "there is one copy of this edge"}, {piece->written, "the piece"}},

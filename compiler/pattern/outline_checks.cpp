@@ -29,14 +29,13 @@ Curve loop_of(const std::vector<DraftEdge>& edges) {
   return join(curves);
 }
 
-bool names_differ(const DraftPiece& draft, Findings& findings) {
+bool names_differ(const std::string& owner, const std::vector<DraftEdge>& edges, Findings& findings) {
   bool good = true;
-  for (std::size_t i = 0; i < draft.outline.size(); ++i) {
+  for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
-      if (draft.outline[i].name != draft.outline[j].name) continue;
-      findings.error("E0305",
-                     fmt::format("piece {} has two edges named {}", quoted(draft.name), quoted(draft.outline[i].name)),
-                     {{draft.outline[i].written, "the second"}, {draft.outline[j].written, "the first"}},
+      if (edges[i].name != edges[j].name) continue;
+      findings.error("E0305", fmt::format("{} has two edges named {}", owner, quoted(edges[i].name)),
+                     {{edges[i].written, "the second"}, {edges[j].written, "the first"}},
                      "seams and darts find an edge by its name: give each its own");
       good = false;
       break;
@@ -130,19 +129,57 @@ std::string hole_of(const DraftPiece& draft, const DraftHole& hole) {
   return hole.name.empty() ? "the hole in " + quoted(draft.name) : "hole " + quoted(hole.name);
 }
 
+// `piece.eye` is either an edge or a hole, and `piece.eye.rim` lies on one hole.
+bool hole_names_differ(const DraftPiece& draft, Findings& findings) {
+  bool good = true;
+  for (std::size_t h = 0; h < draft.holes.size(); ++h) {
+    const DraftHole& hole = draft.holes[h];
+    if (hole.name.empty()) continue;
+    std::vector<Label> labels{{hole.written, "this hole"}};
+    for (const DraftEdge& edge : draft.outline) {
+      if (edge.name == hole.name) labels.push_back({edge.written, "an edge of that name"});
+    }
+    for (std::size_t other = 0; other < h; ++other) {
+      if (draft.holes[other].name == hole.name) labels.push_back({draft.holes[other].written, "a hole of that name"});
+    }
+    if (labels.size() == 1) continue;
+    findings.error("E0305", fmt::format("the name {} is taken in piece {}", quoted(hole.name), quoted(draft.name)),
+                   std::move(labels), "seams find edges and holes by their names: give each its own");
+    good = false;
+  }
+  return good;
+}
+
+// Half a hole drawn about the fold is no closed line, and a whole one lies in cloth that is not drawn.
+bool reaches_fold(const DraftPiece& draft, const DraftHole& hole, const Curve& rim, const std::string& owner,
+                  Findings& findings) {
+  for (const DraftEdge& edge : draft.outline) {
+    if (draft.fold != edge.name || crossings(rim, edge.curve).empty()) continue;
+    findings.error("E0314",
+                   fmt::format("{} lies across the fold {} of piece {}", owner, quoted(edge.name), quoted(draft.name)),
+                   {{hole.written, "this hole"}, {draft.fold_written, "the fold"}},
+                   "draw the whole piece, without `fold`, to have a hole in its middle");
+    return true;
+  }
+  return false;
+}
+
 }  // namespace
 
 bool check_outline(const DraftPiece& draft, Findings& findings) {
-  const bool named = names_differ(draft, findings);
-  return check_loop("piece " + quoted(draft.name), draft.outline, draft.written, findings) && named;
+  const std::string owner = "piece " + quoted(draft.name);
+  const bool named = names_differ(owner, draft.outline, findings);
+  return check_loop(owner, draft.outline, draft.written, findings) && named;
 }
 
 bool check_holes(const DraftPiece& draft, Findings& findings) {
   const int before = findings.errors();
+  hole_names_differ(draft, findings);
   const Region region(loop_of(draft.outline));
   for (std::size_t h = 0; h < draft.holes.size(); ++h) {
     const DraftHole& hole = draft.holes[h];
     const std::string owner = hole_of(draft, hole);
+    names_differ(owner, hole.edges, findings);
     if (!check_loop(owner, hole.edges, hole.written, findings)) continue;
     const Curve rim = loop_of(hole.edges);
     const auto meets = [&](const std::string& other, const Curve& curve, Location written) {
@@ -152,6 +189,7 @@ bool check_holes(const DraftPiece& draft, Findings& findings) {
                      {{hole.written, "this hole"}, {written, "reaches it"}}, "keep a hole clear of other edges");
       return true;
     };
+    if (reaches_fold(draft, hole, rim, owner, findings)) continue;
     const bool crossed = std::any_of(draft.outline.begin(), draft.outline.end(), [&](const DraftEdge& edge) {
       return meets("edge " + quoted(edge.name), edge.curve, edge.written);
     });

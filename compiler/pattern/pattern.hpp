@@ -19,10 +19,10 @@ using PieceId = int;
 /// Which copy of a drawn edge: pieces on the fold and pieces cut in mirrored pairs have both.
 enum class Side { Drawn, Mirrored };
 
-/// One edge of a piece's outline. A dart at an edge splits it: "waist" then comes as several edges of the same name,
-/// told apart by `part`, with the dart's two legs ("dart1.left", "dart1.right") between them.
+/// One edge of a piece's outline or of a hole. A dart at an edge splits it: "waist" then comes as several edges of the
+/// same name, told apart by `part`, with the dart's two legs ("dart1.left", "dart1.right") between them.
 struct PieceEdge {
-  std::string name;
+  std::string name;         // as a seam names it behind its piece; of a hole's edge with the hole's: "eye.rim"
   Side side = Side::Drawn;  // on a fold piece: which half it belongs to
   int part = 0;             // 0, 1, … along the direction of drawing when a dart or a seam divided the edge
   bool is_dart_leg = false;
@@ -55,24 +55,30 @@ struct Piece {
   std::string drawn_name;  // "front" for both
   Side side = Side::Drawn;
   std::vector<PieceEdge> edges;
-  std::vector<std::vector<PieceEdge>> holes;  // walked clockwise
+  std::vector<std::vector<PieceEdge>> holes;  // walked clockwise: they, too, have the cloth on their left
   std::optional<LineSegment> fold;            // where it was folded, for drawing and for centring
   Vec2 warp{0, -1};  // unit vector: the direction of the warp (u) in the drawing; weft is perpendicular(warp)
   std::vector<Notch> notches;
   std::vector<Dart> darts;
   int quantity = 1;
   Location written;
+
+  /// All edges in one numbering: those of the outline, then those of the holes, hole by hole.
+  int edge_count() const;
+  const PieceEdge& edge(int number) const;
+  /// The number of the edge that follows on the same loop.
+  int next_edge(int number) const;
 };
 
 /// A reference to one edge of one piece.
 struct EdgeRef {
   PieceId piece = 0;
-  int edge = 0;  // index into Piece::edges
+  int edge = 0;  // number of the edge, those of holes included: Piece::edge()
 
   friend constexpr bool operator==(EdgeRef, EdgeRef) = default;
 };
 
-/// Edges walked one after another as one line. `forward` tells whether an edge is walked as its outline is.
+/// Edges walked one after another as one line. `forward` tells whether an edge is walked as its loop is.
 struct ChainLink {
   EdgeRef edge;
   bool forward = true;

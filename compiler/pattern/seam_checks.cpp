@@ -24,13 +24,13 @@ EdgeKey key(const ChainLink& link) {
 }
 
 std::string name_of(const std::vector<Piece>& pieces, const ChainLink& link) {
-  const PieceEdge& edge = pieces[link.edge.piece].edges[link.edge.edge];
+  const PieceEdge& edge = pieces[link.edge.piece].edge(link.edge.edge);
   return quoted(pieces[link.edge.piece].drawn_name + "." + edge.name +
                 (edge.side == Side::Mirrored ? ".mirrored" : ""));
 }
 
 Location edge_written(const std::vector<Piece>& pieces, const ChainLink& link) {
-  return pieces[link.edge.piece].edges[link.edge.edge].written;
+  return pieces[link.edge.piece].edge(link.edge.edge).written;
 }
 
 std::set<EdgeKey> keys(const Chain& chain) {
@@ -87,11 +87,10 @@ void add_drawn_edges(const DraftGarment& draft, const std::vector<DraftEdgeRef>&
   for (const DraftEdgeRef& reference : side) {
     for (const DraftPiece& piece : draft.pieces) {
       if (piece.name != reference.piece) continue;
-      for (const DraftEdge& edge : piece.outline) {
-        if (edge.name != reference.edge) continue;
-        labels.push_back(
-            {edge.written, fmt::format("{} as drawn in {}", in_cm(edge.curve.length()), quoted(piece.name))});
-      }
+      const DraftEdge* edge = drafted_edge(piece, reference.edge);
+      if (edge == nullptr) continue;
+      labels.push_back(
+          {edge->written, fmt::format("{} as drawn in {}", in_cm(edge->curve.length()), quoted(piece.name))});
     }
   }
 }
@@ -128,7 +127,7 @@ void check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Se
   std::map<EdgeKey, Location> sewn;
   std::set<std::pair<std::size_t, std::string>> reported;  // a piece's two copies fail together: say it once
   const auto report = [&](std::size_t i, const ChainLink& link, Location before) {
-    const PieceEdge& edge = pieces[link.edge.piece].edges[link.edge.edge];
+    const PieceEdge& edge = pieces[link.edge.piece].edge(link.edge.edge);
     if (!reported.insert({i, pieces[link.edge.piece].drawn_name + "." + edge.name}).second) return;
     findings.error("E0317", fmt::format("edge {} is sewn twice", name_of(pieces, link)),
                    {{draft.seams[i].written, "the second seam"},

@@ -20,11 +20,13 @@ const Chain& drawn_copy(const FoundEdge& edge) {
   return *edge.copies[static_cast<std::size_t>(Side::Drawn)];
 }
 
-// From start to end of the drawn line, walked with its cloth on the left.
+// From start to end of the drawn line, walked with its cloth on the left; none of a line that closes upon itself, as
+// the rim of a hole does.
 Vec2 chord(const std::vector<Piece>& pieces, const FoundEdge& edge) {
   const Chain& links = drawn_copy(edge);
-  const auto& edges = pieces[links.front().edge.piece].edges;
-  return edges[links.back().edge.edge].curve.end() - edges[links.front().edge.edge].curve.start();
+  const Piece& piece = pieces[links.front().edge.piece];
+  const Vec2 way = piece.edge(links.back().edge.edge).curve.end() - piece.edge(links.front().edge.edge).curve.start();
+  return norm(way) > 1e-6 ? way : Vec2{};
 }
 
 bool any_free(const FoundChain& chain) {

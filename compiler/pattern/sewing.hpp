@@ -56,13 +56,14 @@ Chain joined(const std::vector<Strand>& strands);
 /// A drafted reference that has been found.
 struct FoundEdge {
   const DraftEdgeRef* written = nullptr;
-  const DraftPiece* piece = nullptr;
-  const DraftEdge* edge = nullptr;
   bool copied = false;                         // drawn and mirrored both exist
   std::array<std::optional<Chain>, 2> copies;  // by Side, walked with the cloth on the left; empty if not cut
   bool free() const { return copied && !written->side; }  // both copies are meant, or one to be chosen
   bool cut() const { return copies[0].has_value(); }
 };
+
+/// The edge of the outline or of a hole ("eye.rim") as it was drawn, or null.
+const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name);
 
 /// Finds edges by name among the drafted pieces and the pieces cut from them.
 class EdgeFinder {

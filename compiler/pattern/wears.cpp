@@ -64,7 +64,7 @@ void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& p
       const auto [before, fresh] = worn.insert({{link.edge.piece, link.edge.edge}, wear.written});
       if (fresh) continue;
       const Piece& piece = pieces[link.edge.piece];
-      const PieceEdge& edge = piece.edges[link.edge.edge];
+      const PieceEdge& edge = piece.edge(link.edge.edge);
       findings.error(
           "E0318", fmt::format("edge {} is worn twice", quoted(piece.drawn_name + "." + edge.name)),
           {{wear.written, "the second time"}, {before->second, "the first time"}, {edge.written, "the edge"}},

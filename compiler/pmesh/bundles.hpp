@@ -41,7 +41,8 @@ struct Bundles {
   std::vector<std::vector<int>> members;          // [bundle]: stretches, ascending
   std::vector<std::vector<SewnStretches>> seams;  // [seam], in the order of its chains
 
-  int edge(EdgeRef ref) const { return loops[ref.piece][0][ref.edge]; }
+  /// A piece's edges are numbered one after another, loop by loop.
+  int edge(EdgeRef ref) const { return loops[ref.piece][0][0] + ref.edge; }
 };
 
 /// Breaks are carried across the seams until every corner on one side of a seam has its node on the other. Corners of

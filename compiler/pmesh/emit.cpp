@@ -33,7 +33,7 @@ void emit_piece(const PMesh& mesh, const Garment& garment, PieceId piece, fmt::m
   fmt::format_to(to, "piece {}: {} vertices, {} triangles, warp {} {}\n", garment.pieces[piece].name,
                  point_end - point_begin, triangle_end - triangle_begin, mm(warp.x / 1000), mm(warp.y / 1000));
   for (std::size_t e = 0; e < mesh.edge_nodes[piece].size(); ++e) {
-    fmt::format_to(to, "  edge {}:", side_of(garment.pieces[piece].edges[e]));
+    fmt::format_to(to, "  edge {}:", side_of(garment.pieces[piece].edge(static_cast<int>(e))));
     for (const int p : mesh.edge_nodes[piece][e].points) fmt::format_to(to, " {}", p);
     fmt::format_to(to, "\n  at:");
     for (const double s : mesh.edge_nodes[piece][e].arc) fmt::format_to(to, " {}", mm(s));

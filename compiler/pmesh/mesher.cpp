@@ -18,7 +18,7 @@ PMeshOptions bounded(const Garment& garment, PMeshOptions options) {
   double area = 0, length = 0;
   for (const Piece& piece : garment.pieces) {
     area += area_of(piece);
-    for (const PieceEdge& edge : piece.edges) length += edge.curve.length();
+    for (int e = 0; e < piece.edge_count(); ++e) length += piece.edge(e).curve.length();
   }
   const double least = std::max({std::sqrt(area / (0.41 * kMostTriangles)), length / kMostTriangles, 1e-6});
   if (!(options.target_edge > 0)) options.target_edge = PMeshOptions{}.target_edge;
@@ -164,10 +164,12 @@ PMesh GarmentMesher::mesh() {
     mesh.warp_of_piece.push_back(garment_.pieces[id].warp);
 
     auto& edge_nodes = mesh.edge_nodes.emplace_back();
-    for (const int edge : division_.bundles().loops[id][0]) {
-      PMesh::EdgeNodes& nodes = edge_nodes.emplace_back();
-      nodes.arc = division_.arcs(edge);
-      for (int i = 0; i < static_cast<int>(nodes.arc.size()); ++i) nodes.points.push_back(point({edge, i}));
+    for (const auto& loop : division_.bundles().loops[id]) {
+      for (const int edge : loop) {
+        PMesh::EdgeNodes& nodes = edge_nodes.emplace_back();
+        nodes.arc = division_.arcs(edge);
+        for (int i = 0; i < static_cast<int>(nodes.arc.size()); ++i) nodes.points.push_back(point({edge, i}));
+      }
     }
   }
   for (const auto& runs : division_.sewn_nodes()) {

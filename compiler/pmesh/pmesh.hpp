@@ -19,12 +19,12 @@ struct PMesh {
   std::vector<PieceId> piece_of_point;
   std::vector<Vec2> warp_of_piece;  // unit vector of the warp in the drawing: u = p . warp, v = p . perpendicular(warp)
 
-  /// The vertices along each edge of each outline, first to last, and the arc length of each on the exact curve.
+  /// The vertices along each edge of each piece, first to last, and the arc length of each on the exact curve.
   struct EdgeNodes {
     std::vector<int> points;
     std::vector<double> arc;  // [m]
   };
-  std::vector<std::vector<EdgeNodes>> edge_nodes;  // [piece][edge], as in Piece::edges
+  std::vector<std::vector<EdgeNodes>> edge_nodes;  // [piece][edge], numbered as by Piece::edge()
 
   /// The vertices that a seam joins, pair by pair in the order of its chains. Within a run neighbours bound a side.
   struct SewnRun {

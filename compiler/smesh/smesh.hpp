@@ -53,6 +53,8 @@ struct SMesh {
     std::vector<double> arc;
     double length = 0;
     bool closed = false;
+    /// The arc length at the middle of the edge named first: of all its parts and copies that lie together there.
+    double centre = 0;
   };
   std::vector<WornLine> worn;
 };

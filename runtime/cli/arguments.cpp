@@ -15,11 +15,13 @@ namespace {
 constexpr const char* version = TOILE_VERSION;
 
 void common_flags(CLI::App& app, Arguments& arguments) {
-  const std::map<std::string, MessageFormat> formats{{"human", MessageFormat::Human}, {"json", MessageFormat::Json}};
+  const std::map<std::string, MessageFormat> formats{
+      {"human", MessageFormat::Human}, {"json", MessageFormat::Json}, {"sarif", MessageFormat::Sarif}};
   const std::map<std::string, WhenColour> colours{
       {"auto", WhenColour::Auto}, {"always", WhenColour::Always}, {"never", WhenColour::Never}};
-  app.add_option("--message-format", arguments.messages, "human, or json: one object a line on standard error")
-      ->transform(CLI::CheckedTransformer(formats).description("human|json"));
+  app.add_option("--message-format", arguments.messages,
+                 "on standard error: human, json (an object a line) or sarif (a log at the end)")
+      ->transform(CLI::CheckedTransformer(formats).description("human|json|sarif"));
   app.add_option("--color", arguments.colour, "colours in messages")
       ->transform(CLI::CheckedTransformer(colours).description("auto|always|never"));
   app.add_option("--threads", arguments.threads, "threads to use; as many as there are by default")
@@ -178,6 +180,18 @@ void build(CLI::App& app, Arguments& arguments) {
           "size of the picture; 800x800 by default")
       ->type_name("WxH");
   solve_options(render, arguments);
+
+  CLI::App& fmt = subcommand(app, arguments, Task::Fmt, "fmt", "Set scripts in the one layout, comments kept",
+                             "toile fmt skirt.toile cape.toile");
+  fmt.add_option("FILE", arguments.files, "scripts; - is standard input, laid out on standard output")
+      ->required()
+      ->expected(1, 100000)
+      ->type_name("");
+  fmt.add_flag("--check", arguments.check, "write nothing, and exit with 1 where a file is not in the layout");
+
+  CLI::App& explain = subcommand(app, arguments, Task::Explain, "explain", "Say what a diagnostic means, with examples",
+                                 "toile explain E0316");
+  explain.add_option("CODE", arguments.code, "the code of a diagnostic; without one all are listed")->type_name("");
 
   CLI::App& test = subcommand(app, arguments, Task::Test, "test", "Compare scripts with their golden files",
                               "toile test tests/golden --update");

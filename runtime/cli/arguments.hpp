@@ -11,13 +11,14 @@
 
 namespace toile {
 
-enum class Task { Run, Check, Compile, Draft, Drape, Render, Test };
-enum class MessageFormat { Human, Json };
+enum class Task { Run, Check, Compile, Draft, Drape, Render, Fmt, Explain, Test };
+enum class MessageFormat { Human, Json, Sarif };
 enum class WhenColour { Auto, Always, Never };
 
 struct Arguments {
   Task task = Task::Run;
   std::vector<std::string> files;  // scripts; for `test`, at most one path
+  std::string code;                // `explain`
 
   // common
   MessageFormat messages = MessageFormat::Human;
@@ -38,6 +39,7 @@ struct Arguments {
   std::string report, profile;
   std::string view, field;  // `render`
   int width = 800, height = 800;
+  bool check = false;   // `fmt`
   bool update = false;  // `test`
 };
 

@@ -7,8 +7,6 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "runtime/cli/json_messages.hpp"
-
 namespace toile {
 namespace {
 
@@ -28,6 +26,7 @@ Console::Console(const Arguments& arguments)
 
 Console::~Console() {
   clear_bar();
+  if (format_ == MessageFormat::Sarif) std::fputs(sarif_.text().c_str(), stderr);
 }
 
 void Console::say(const std::string& text) {
@@ -38,6 +37,7 @@ void Console::say(const std::string& text) {
 
 void Console::diagnosed(const Diagnostic& diagnostic, const Sources& sources) {
   if (quiet_ && diagnostic.severity != Severity::Error) return;
+  if (format_ == MessageFormat::Sarif) return sarif_.add(diagnostic, sources);
   if (format_ == MessageFormat::Json) return say(json_diagnostic(diagnostic, sources) + "\n");
   std::string text = render(diagnostic, sources, in_colour_);
   if (text.empty() || text.back() != '\n') text += '\n';
@@ -53,17 +53,22 @@ void Console::printed(const std::string& line) {
   std::fflush(stdout);
 }
 
+/// What is of no use in a log of findings.
+void Console::say_line(const std::string& text, const std::string& json) {
+  if (quiet_ || format_ == MessageFormat::Sarif) return;
+  say((format_ == MessageFormat::Json ? json : text) + "\n");
+}
+
 void Console::noted(const std::string& line) {
-  if (quiet_) return;
-  say(format_ == MessageFormat::Json ? json_message("note", "message", line) + "\n" : line + "\n");
+  say_line(line, json_message("note", "message", line));
 }
 
 void Console::wrote(const std::string& path) {
-  if (quiet_) return;
-  say(format_ == MessageFormat::Json ? json_message("wrote", "path", path) + "\n" : "wrote " + path + "\n");
+  say_line("wrote " + path, json_message("wrote", "path", path));
 }
 
 void Console::failed(const std::string& message, const std::string& help) {
+  if (format_ == MessageFormat::Sarif) return sarif_.add_failure(message, help);
   if (format_ == MessageFormat::Json) return say(json_failure(message, help) + "\n");
   const char* const red = in_colour_ ? "\x1b[1;31m" : "";
   const char* const plain = in_colour_ ? "\x1b[0m" : "";
@@ -71,7 +76,7 @@ void Console::failed(const std::string& message, const std::string& help) {
 }
 
 void Console::progressed(const Progress& progress) {
-  if (!shows_progress_) return;
+  if (!shows_progress_ || format_ == MessageFormat::Sarif) return;
   const std::lock_guard lock(mutex_);
   const double fraction = std::clamp(progress.fraction, 0.0, 1.0);
   if (format_ == MessageFormat::Human && is_terminal_) {

@@ -4,6 +4,7 @@
 #include <mutex>
 
 #include "runtime/cli/arguments.hpp"
+#include "runtime/cli/json_messages.hpp"
 #include "runtime/driver/listener.hpp"
 #include "runtime/solve/job.hpp"
 
@@ -30,6 +31,7 @@ class Console final : public Listener {
  private:
   void clear_bar();
   void say(const std::string& text);
+  void say_line(const std::string& text, const std::string& json);
 
   MessageFormat format_;
   bool quiet_;
@@ -39,6 +41,7 @@ class Console final : public Listener {
   bool bar_is_drawn_ = false;
   int tenths_told_ = -1;
   std::string phase_;
+  SarifLog sarif_;
   std::mutex mutex_;  // progress may come from a solver's thread
 };
 

@@ -1,6 +1,7 @@
-// Messages as JSON, one object a line, for editors and scripts.
+// Messages as JSON for editors, scripts and reviews: one object a line, or a SARIF log of the whole call.
 #pragma once
 
+#include <memory>
 #include <string>
 
 #include "compiler/diag/diagnostic.hpp"
@@ -17,5 +18,23 @@ std::string json_failure(const std::string& message, const std::string& help);
 std::string json_progress(const Progress& progress);
 /// {"type": type, key: value}
 std::string json_message(const std::string& type, const std::string& key, const std::string& value);
+
+/// A log in SARIF 2.1.0 (OASIS): diagnostics are results with rules, regions in Unicode code points and related
+/// locations; failures outside the scripts are notifications of the run.
+class SarifLog {
+ public:
+  SarifLog();
+  ~SarifLog();
+  SarifLog(const SarifLog&) = delete;
+  SarifLog& operator=(const SarifLog&) = delete;
+
+  void add(const Diagnostic& diagnostic, const Sources& sources);
+  void add_failure(const std::string& message, const std::string& help);
+  std::string text() const;
+
+ private:
+  struct State;
+  std::unique_ptr<State> state_;
+};
 
 }  // namespace toile

@@ -8,6 +8,8 @@
 #include "runtime/cli/console.hpp"
 #include "runtime/cli/interrupt.hpp"
 #include "runtime/cli/threads.hpp"
+#include "runtime/driver/explain.hpp"
+#include "runtime/driver/formatting.hpp"
 #include "runtime/driver/golden.hpp"
 #include "runtime/driver/run.hpp"
 
@@ -58,8 +60,10 @@ void carry_out(Workroom& workroom, const Arguments& arguments) {
       return render_once(workroom, {std::move(drape), arguments.outputs.front(), arguments.view, arguments.field,
                                     arguments.width, arguments.height});
     }
+    case Task::Fmt:
+    case Task::Explain:
     case Task::Test:
-      break;  // has no workroom of its own
+      break;  // have no workroom of their own
   }
 }
 
@@ -78,6 +82,19 @@ Outcome work_through(const Arguments& arguments, Console& console, const Job& jo
   return all;
 }
 
+Outcome outcome_of(const Arguments& arguments, Console& console, const Job& job) {
+  switch (arguments.task) {
+    case Task::Fmt:
+      return format_files(arguments.files, arguments.check, console);
+    case Task::Explain:
+      return explain(arguments.code, console);
+    case Task::Test:
+      return test_scripts(arguments.files.empty() ? "." : arguments.files.front(), arguments.update, console, job);
+    default:
+      return work_through(arguments, console, job);
+  }
+}
+
 int toile_main(int argc, const char* const* argv) {
   const std::variant<Arguments, int> read = read_arguments(argc, argv);
   if (const int* code = std::get_if<int>(&read)) return *code;
@@ -87,9 +104,7 @@ int toile_main(int argc, const char* const* argv) {
   Job job;
   job.cancelled = &watch_for_interrupt();
   if (console.shows_progress()) job.report = [&console](const Progress& progress) { console.progressed(progress); };
-  if (arguments.task != Task::Test) return work_through(arguments, console, job).exit_code();
-  return test_scripts(arguments.files.empty() ? "." : arguments.files.front(), arguments.update, console, job)
-      .exit_code();
+  return outcome_of(arguments, console, job).exit_code();
 }
 
 }  // namespace

@@ -20,10 +20,11 @@ Json json(Vec2 point) {
 
 Json edges_of_piece(const Piece& piece, const std::vector<PMesh::EdgeNodes>& nodes) {
   Json edges = Json::array();
-  for (std::size_t e = 0; e < std::min(piece.edges.size(), nodes.size()); ++e) {
-    edges.push_back({{"name", piece.edges[e].name},
-                     {"mirrored", piece.edges[e].side == Side::Mirrored},
-                     {"part", piece.edges[e].part},
+  for (std::size_t e = 0; e < nodes.size(); ++e) {
+    const PieceEdge& edge = piece.edge(static_cast<int>(e));
+    edges.push_back({{"name", edge.name},
+                     {"mirrored", edge.side == Side::Mirrored},
+                     {"part", edge.part},
                      {"points", nodes[e].points},
                      {"arc_m", nodes[e].arc}});
   }

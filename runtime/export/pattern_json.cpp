@@ -98,8 +98,7 @@ Json json(const Garment& garment, const Chain& chain) {
   double length = 0;
   Json links = Json::array();
   for (const ChainLink& link : chain) {
-    const auto piece = static_cast<std::size_t>(link.edge.piece), edge = static_cast<std::size_t>(link.edge.edge);
-    length += garment.pieces[piece].edges[edge].curve.length();
+    length += garment.pieces[static_cast<std::size_t>(link.edge.piece)].edge(link.edge.edge).curve.length();
     links.push_back({{"piece", link.edge.piece}, {"edge", link.edge.edge}, {"forward", link.forward}});
   }
   return {{"length_m", tidy(length)}, {"links", links}};

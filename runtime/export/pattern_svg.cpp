@@ -202,24 +202,24 @@ class Sheet {
 
   // A divided edge is labelled once, on its longest part.
   std::string edges() const {
-    std::map<std::pair<std::string, Side>, std::pair<std::size_t, double>> labelled;  // longest part, whole length
-    for (std::size_t i = 0; i < piece_.edges.size(); ++i) {
-      const PieceEdge& edge = piece_.edges[i];
+    std::map<std::pair<std::string, Side>, std::pair<int, double>> labelled;  // longest part, whole length
+    for (int i = 0; i < piece_.edge_count(); ++i) {
+      const PieceEdge& edge = piece_.edge(i);
       if (edge.is_dart_leg) continue;
       auto [entry, fresh] = labelled.insert({{edge.name, edge.side}, {i, edge.curve.length()}});
       if (fresh) continue;
       auto& [longest, length] = entry->second;
       length += edge.curve.length();
-      if (edge.curve.length() > piece_.edges[longest].curve.length()) longest = i;
+      if (edge.curve.length() > piece_.edge(longest).curve.length()) longest = i;
     }
     std::string drawing;
     for (const auto& [name, where] : labelled) drawing += edge_label(where.first, where.second);
     return drawing;
   }
 
-  std::string edge_label(std::size_t i, double whole) const {
-    const PieceEdge& edge = piece_.edges[i];
-    const std::pair<int, int> key{index_, static_cast<int>(i)};
+  std::string edge_label(int i, double whole) const {
+    const PieceEdge& edge = piece_.edge(i);
+    const std::pair<int, int> key{index_, i};
     const auto sewn = roles_.sewn.find(key);
     const auto worn = roles_.worn.find(key);
     const double room = 0.9 * edge.curve.length(), sign_room = sewn != roles_.sewn.end() ? 4 * kBadge : 0;

@@ -117,14 +117,6 @@ class March {
 
 }  // namespace
 
-double Fullness::turn_at(double at) const {
-  const double x = std::clamp(at / bin - 0.5, 0.0, static_cast<double>(turn.size() - 1));
-  const std::size_t i = std::min(static_cast<std::size_t>(x), turn.size() - 1);
-  const std::size_t j = std::min(i + 1, turn.size() - 1);
-  const double t = x - static_cast<double>(i);
-  return (1 - t) * turn[i] + t * turn[j];
-}
-
 Envelope::Envelope(const BodyLine& line, const ClosedCurve& start, const Fullness& fullness, const Body& body,
                    double clearance)
     : step_(std::max(least_step, fullness.depth / most_rings)) {

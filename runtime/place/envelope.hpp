@@ -4,17 +4,10 @@
 
 #include <vector>
 
+#include "runtime/place/fullness.hpp"
 #include "runtime/place/line_curve.hpp"
 
 namespace toile {
-
-/// What the cloth asks for: how deep it hangs and how long a whole turn of it is at each depth.
-struct Fullness {
-  double depth = 0;          // [m]
-  double bin = 0;            // [m] width of a bin of `turn`
-  std::vector<double> turn;  // [m]
-  double turn_at(double depth) const;
-};
 
 /// Generators start at the line, one for each part of it, and go on by equal steps within their own half plane through
 /// the axis: along the limb and as much outwards as the turns grow, so that without a body in the way a flared cloth

@@ -7,28 +7,6 @@
 namespace toile {
 namespace {
 
-bool lies_on(const SewnMesh& mesh, int vertex, PieceId piece) {
-  const auto& corners = mesh.s.p_of_s[vertex];
-  return std::any_of(corners.begin(), corners.end(), [&](int p) { return mesh.p.piece_of_point[p] == piece; });
-}
-
-// The arc length at the middle of the first edge: of the run of vertices around the chain's start on its first piece.
-double middle_of_first_edge(const SewnMesh& mesh, const SMesh::WornLine& line) {
-  const int n = static_cast<int>(line.vertices.size());
-  PieceId piece = 0;
-  for (const int p : mesh.s.p_of_s[line.vertices[0]]) {
-    piece = mesh.p.piece_of_point[p];
-    if (n < 2 || lies_on(mesh, line.vertices[1], piece)) break;
-  }
-  int last = 0;
-  while (last + 1 < n && lies_on(mesh, line.vertices[last + 1], piece)) ++last;
-  if (last == n - 1) return 0.5 * (line.closed ? line.length : line.arc[last]);
-  int before = 0;
-  while (line.closed && before + 1 < n - last && lies_on(mesh, line.vertices[n - 1 - before], piece)) ++before;
-  const double first_arc = before > 0 ? line.arc[n - before] - line.length : line.arc[0];
-  return 0.5 * (first_arc + line.arc[last]);
-}
-
 // +1 when the chain is to run counter-clockwise. A triangle of the right side that walks the chain's way has its cloth
 // on the left: hanging down and seen from outside, it walks clockwise.
 double sense(const SewnMesh& mesh, const SMesh::WornLine& line) {
@@ -57,11 +35,10 @@ HangingChain hang(const SewnMesh& mesh, const Worn& worn, const BodyLine& line) 
   const std::size_t n = chain.vertices.size();
   // An open chain that goes all the way round keeps its ends apart.
   const double needed = chain.closed ? chain.length : chain.length * (1 + 1.0 / static_cast<double>(n));
-  HangingChain result{chain.vertices, {}, scaled(line, needed), {}};
-  const double middle = middle_of_first_edge(mesh, chain);
+  HangingChain result{chain.vertices, {}, scaled(line, needed), {}, &chain};
   const double turn = sense(mesh, chain) / (chain.closed ? chain.length : result.curve.length());
   for (std::size_t i = 0; i < n; ++i) {
-    result.fractions.push_back(worn.from + turn * (chain.arc[i] - middle));
+    result.fractions.push_back(worn.from + turn * (chain.arc[i] - chain.centre));
     result.positions.push_back(result.curve.at(result.fractions.back()));
   }
   return result;

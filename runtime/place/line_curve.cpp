@@ -21,6 +21,20 @@ Vec3 ClosedCurve::at(double fraction) const {
   return (1 - t) * points_[i] + t * points_[(i + 1) % points_.size()];
 }
 
+double ClosedCurve::fraction_near(Vec3 p) const {
+  double best = 0, least = 1e300;
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    const Vec3 from = points_[i], way = points_[(i + 1) % points_.size()] - from;
+    const double length2 = dot(way, way);
+    const double t = length2 > 0 ? std::clamp(dot(p - from, way) / length2, 0.0, 1.0) : 0;
+    const double away = toile::distance(from + t * way, p);
+    if (away >= least) continue;
+    least = away;
+    best = (arc_[i] + t * (arc_[i + 1] - arc_[i])) / length();
+  }
+  return best;
+}
+
 std::vector<Vec3> outward_directions(const BodyLine& line) {
   const std::size_t n = line.points.size();
   std::vector<Vec3> directions(n);

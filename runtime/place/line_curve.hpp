@@ -14,6 +14,8 @@ class ClosedCurve {
   double length() const { return arc_.back(); }
   /// Fractions are taken modulo one.
   Vec3 at(double fraction) const;
+  /// Where the curve is nearest to p.
+  double fraction_near(Vec3 p) const;
   const std::vector<Vec3>& points() const { return points_; }
 
  private:

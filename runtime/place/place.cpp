@@ -177,7 +177,7 @@ Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& 
       hung.push_back({line, hang(mesh, w, *line)});
     }
     if (!hung.empty()) {
-      place_worn(rest, members, hung, *body, placed.positions);
+      place_worn(rest, members, std::move(hung), *body, placed.positions);
       continue;
     }
     if (is_plain(mesh, members))

@@ -51,6 +51,45 @@ void spread_by_layers(const RestMesh& rest, const std::vector<double>& depth, co
 
 }  // namespace
 
+std::vector<double> harmonic_correction(const Cloth& cloth, const std::vector<bool>& unknown,
+                                        const std::vector<double>& source,
+                                        const std::function<double(int, int)>& difference) {
+  const std::size_t n = unknown.size();
+  std::vector<int> row(n, -1);
+  int count = 0;
+  for (std::size_t v = 0; v < n; ++v) {
+    if (unknown[v]) row[v] = count++;
+  }
+  std::vector<double> correction(n, 0.0);
+  if (count == 0) return correction;
+  const std::vector<double> weights = edge_weights(cloth);
+  std::vector<Eigen::Triplet<double>> entries;
+  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
+  const auto add = [&](int v, int w, double weight) {
+    if (row[v] < 0) return;
+    entries.emplace_back(row[v], row[v], weight);
+    if (row[w] >= 0) entries.emplace_back(row[v], row[w], -weight);
+    right(row[v]) += weight * difference(v, w);
+  };
+  for (std::size_t e = 0; e < cloth.edges.size(); ++e) {
+    const auto [a, b] = cloth.edges[e].vertices;
+    add(a, b, weights[e]);
+    add(b, a, weights[e]);
+  }
+  for (std::size_t v = 0; v < n; ++v) {
+    if (row[v] >= 0) right(row[v]) += source[v];
+  }
+  Eigen::SparseMatrix<double> laplacian(count, count);
+  laplacian.setFromTriplets(entries.begin(), entries.end());
+  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
+  if (factor.info() != Eigen::Success) return correction;
+  const Eigen::VectorXd found = factor.solve(right);
+  for (std::size_t v = 0; v < n; ++v) {
+    if (row[v] >= 0 && std::isfinite(found(row[v]))) correction[v] = found(row[v]);
+  }
+  return correction;
+}
+
 double turn_between(double from, double to) {
   const double d = to - from;
   return d - std::round(d);
@@ -66,36 +105,14 @@ std::vector<double> winding(const RestMesh& rest, const HangingChain& chain, con
     known[chain.vertices[i]] = true;
     fraction[chain.vertices[i]] = chain.fractions[i];
   }
-  std::vector<int> unknown(n, -1);
-  int count = 0;
-  for (std::size_t v = 0; v < n; ++v) {
-    if (in_component[v] && !known[v]) unknown[v] = count++;
-  }
-  if (count == 0) return fraction;
+  std::vector<bool> unknown(n, false);
+  for (std::size_t v = 0; v < n; ++v) unknown[v] = in_component[v] && !known[v];
   spread_by_layers(rest, depth, in_component, known, fraction);
-
   // What has to be added to make it harmonic is single-valued, and zero on the chain.
-  const std::vector<double> weights = edge_weights(cloth);
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
-  const auto add = [&](int v, int w, double weight) {
-    entries.emplace_back(unknown[v], unknown[v], weight);
-    if (unknown[w] >= 0) entries.emplace_back(unknown[v], unknown[w], -weight);
-    right(unknown[v]) += weight * turn_between(fraction[v], fraction[w]);
-  };
-  for (std::size_t e = 0; e < cloth.edges.size(); ++e) {
-    const auto [a, b] = cloth.edges[e].vertices;
-    if (unknown[a] >= 0) add(a, b, weights[e]);
-    if (unknown[b] >= 0) add(b, a, weights[e]);
-  }
-  Eigen::SparseMatrix<double> laplacian(count, count);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
-  if (factor.info() != Eigen::Success) return fraction;
-  const Eigen::VectorXd added = factor.solve(right);
-  for (std::size_t v = 0; v < n; ++v) {
-    if (unknown[v] >= 0 && std::isfinite(added(unknown[v]))) fraction[v] += added(unknown[v]);
-  }
+  const std::vector<double> added = harmonic_correction(cloth, unknown, std::vector<double>(n, 0.0), [&](int v, int w) {
+    return turn_between(fraction[v], fraction[w]);
+  });
+  for (std::size_t v = 0; v < n; ++v) fraction[v] += added[v];
   return fraction;
 }
 

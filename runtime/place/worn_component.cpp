@@ -6,6 +6,7 @@
 #include "runtime/place/envelope.hpp"
 #include "runtime/place/relax.hpp"
 #include "runtime/place/winding.hpp"
+#include "runtime/place/worn_legs.hpp"
 
 namespace toile {
 namespace {
@@ -54,54 +55,41 @@ std::vector<int> assign(const std::vector<int>& members, const std::vector<HungL
   return line_of;
 }
 
-Fullness fullness_of(const RestMesh& rest, const HungLine& hung, const std::vector<double>& depth,
-                     const std::vector<double>& fraction, const std::vector<bool>& own) {
-  Fullness fullness;
-  for (std::size_t v = 0; v < own.size(); ++v) {
-    if (own[v]) fullness.depth = std::max(fullness.depth, depth[v]);
-  }
-  fullness.bin = std::max(1.5 * rest.mean_edge(), fullness.depth / 200);
-  const int bins = static_cast<int>(fullness.depth / fullness.bin) + 1;
-  const std::vector<double> rough =
-      turn_lengths(rest, fraction, depth, own, fullness.bin, bins, hung.chain.curve.length());
-  for (int i = 0; i < bins; ++i) {
-    const int reach = std::min({2, i, bins - 1 - i});
-    double sum = 0;
-    for (int j = i - reach; j <= i + reach; ++j) sum += rough[j];
-    fullness.turn.push_back(sum / (2 * reach + 1));
-  }
-  return fullness;
-}
-
 }  // namespace
 
-void place_worn(const RestMesh& rest, const std::vector<int>& members, const std::vector<HungLine>& hung,
-                const Body& body, std::vector<Vec3>& positions) {
+void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vector<HungLine> hung, const Body& body,
+                std::vector<Vec3>& positions) {
   const std::size_t n = positions.size();
+  run_between_other_lines(hung);
   const double clearance = std::clamp(0.1 * rest.mean_edge(), 0.001, 0.004);
   std::vector<bool> in_component(n, false);
   for (const int v : members) in_component[v] = true;
   std::vector<std::vector<double>> depth;
   depth.reserve(hung.size());
   for (const HungLine& h : hung) depth.push_back(rest.distance_from(h.chain.vertices));
-  const std::vector<int> line_of = assign(members, hung, depth, n);
+  std::vector<int> line_of = assign(members, hung, depth, n);
+  assign_legs(rest, members, hung, line_of);
 
   std::vector<bool> free = in_component;
-  for (std::size_t l = 0; l < hung.size(); ++l) {
-    const HangingChain& chain = hung[l].chain;
-    const std::vector<double> fraction = winding(rest, chain, depth[l], in_component);
-    std::vector<bool> own(n, false);
-    for (const int v : members) own[v] = line_of[v] == static_cast<int>(l) && std::isfinite(depth[l][v]);
-    const Fullness fullness = fullness_of(rest, hung[l], depth[l], fraction, own);
-    const Envelope envelope(*hung[l].line, chain.curve, fullness, body, clearance);
-    for (const int v : members) {
-      if (own[v]) positions[v] = envelope.at(depth[l][v], fraction[v]);
-    }
-  }
   for (const HungLine& h : hung) {
     for (std::size_t i = 0; i < h.chain.vertices.size(); ++i) {
       positions[h.chain.vertices[i]] = h.chain.positions[i];
       free[h.chain.vertices[i]] = false;
+    }
+  }
+  for (std::size_t l = 0; l < hung.size(); ++l) {
+    const HangingChain& chain = hung[l].chain;
+    if (runs_along_axis(*hung[l].line)) {
+      place_leg(rest, hung, static_cast<int>(l), line_of, body, clearance, positions);
+      continue;
+    }
+    const std::vector<double> fraction = winding(rest, chain, depth[l], in_component);
+    std::vector<bool> own(n, false);
+    for (const int v : members) own[v] = line_of[v] == static_cast<int>(l) && std::isfinite(depth[l][v]);
+    const Fullness fullness = measure_fullness(rest, fraction, depth[l], own, chain.curve.length());
+    const Envelope envelope(*hung[l].line, chain.curve, fullness, body, clearance);
+    for (const int v : members) {
+      if (own[v] && free[v]) positions[v] = envelope.at(depth[l][v], fraction[v]);
     }
   }
   relax(rest, free, relaxing_passes, &body, clearance, positions);

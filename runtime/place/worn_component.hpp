@@ -8,15 +8,10 @@
 
 namespace toile {
 
-struct HungLine {
-  const BodyLine* line = nullptr;
-  HangingChain chain;
-};
-
 /// Fills the positions of one component's vertices (`members`, ascending). The chains of `hung` belong to it; each
 /// vertex hangs from the line nearest within the cloth, but what lies on the way from a higher line to a lower one
-/// hangs from the higher.
-void place_worn(const RestMesh& rest, const std::vector<int>& members, const std::vector<HungLine>& hung,
-                const Body& body, std::vector<Vec3>& positions);
+/// hangs from the higher. Legs: see worn_legs.hpp.
+void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vector<HungLine> hung, const Body& body,
+                std::vector<Vec3>& positions);
 
 }  // namespace toile

@@ -18,10 +18,12 @@ struct Called {
 
 class CommandLine {
  public:
-  /// `toile ARGUMENTS` as typed in a shell in the scratch folder; `before` may hold a wrapper such as `timeout`.
-  Called toile(const std::string& arguments, const std::string& before = "") const {
-    const std::string line = fmt::format("cd '{}' && {} '{}' {} >.out 2>.err </dev/null", scratch.path().string(),
-                                         before, TOILE_BINARY, arguments);
+  /// `toile ARGUMENTS` as typed in a shell in the scratch folder; `before` may hold a wrapper such as `timeout`,
+  /// `input` names the file that is its standard input.
+  Called toile(const std::string& arguments, const std::string& before = "",
+               const std::string& input = "/dev/null") const {
+    const std::string line = fmt::format("cd '{}' && {} '{}' {} >.out 2>.err <{}", scratch.path().string(), before,
+                                         TOILE_BINARY, arguments, input);
     const int status = std::system(line.c_str());
     Called called{WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status), scratch.read(".out"),
                   scratch.read(".err")};

@@ -15,6 +15,8 @@ const std::map<std::string, std::vector<std::string>> examples{
     {"cape", {"cape.svg", "cape.png", "cape.report.json"}},
     {"cloth_on_sphere", {"cloth.png", "cloth.report.json"}},
     {"drape_test", {"above.png", "drape_test.report.json"}},
+    {"poncho", {"poncho.svg", "poncho.png", "poncho.report.json"}},
+    {"trousers", {"trousers.svg", "trousers.png", "trousers.report.json"}},
     {"torus", {"torus.svg", "torus.png", "torus.report.json"}},
 };
 

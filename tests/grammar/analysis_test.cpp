@@ -42,6 +42,17 @@ template <typename Name, syntax::StatementWords Words>
 struct analyze_traits<Name, syntax::rules::not_outside<Words>> : analyze_opt_traits<> {};
 
 template <typename Name>
+struct analyze_traits<Name, syntax::rules::before_list> : analyze_opt_traits<> {};
+template <typename Name>
+struct analyze_traits<Name, syntax::rules::named_next> : analyze_opt_traits<> {};
+template <typename Name>
+struct analyze_traits<Name, syntax::rules::closed_insertion> : analyze_any_traits<> {};
+template <typename Name>
+struct analyze_traits<Name, syntax::rules::more_inserted> : analyze_opt_traits<> {};
+template <typename Name, typename Rule>
+struct analyze_traits<Name, syntax::gap_before<Rule>> : analyze_seq_traits<Rule> {};
+
+template <typename Name>
 struct analyze_traits<Name, syntax::rules::unit_word> : analyze_any_traits<> {};
 template <typename Name>
 struct analyze_traits<Name, syntax::rules::unit> : analyze_seq_traits<syntax::rules::unit_text> {};

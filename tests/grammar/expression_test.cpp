@@ -122,6 +122,7 @@ TEST(Expression, GoesOnOverLineEndsOnlyWhereItCannotEnd) {
   EXPECT_EQ(shape("a +\n  b"), "(a + b)");
   EXPECT_EQ(shape("(a\n  + b)"), "<(a + b)>");
   EXPECT_EQ(shape("f(\n  a,  // one\n  b\n)"), "f(a, b)");
+  EXPECT_EQ(shape("(\n  if a then b else c)"), shape("(if a then b else c)"));
   EXPECT_EQ(shape("a\n+ b"), "an error");
 }
 
@@ -146,6 +147,30 @@ TEST(Values, OfNumbersAndTexts) {
   const Source source("expression", R"("a \"b\" \\ \n é")");
   const Parsed parsed = parse_expression(source);
   EXPECT_EQ(string_value(child<String>(root(parsed.tree)).value(), source), "a \"b\" \\ \n é");
+}
+
+TEST(Values, InTexts) {
+  const Source source("expression", R"("a {n}{ w + 1cm in mg/cm^2 } \{b}")");
+  const Parsed parsed = parse_expression(source);
+  EXPECT_TRUE(parsed.errors.empty());
+  const String text = child<String>(root(parsed.tree)).value();
+  ASSERT_EQ(text.pieces().size(), 3u);
+  EXPECT_EQ(string_value(text.pieces()[0], source), "a ");
+  EXPECT_EQ(string_value(text.pieces()[1], source), "");
+  EXPECT_EQ(string_value(text.pieces()[2], source), " {b}");
+  EXPECT_EQ(source.slice(text.inserted()[1].value()->span()), "w + 1cm");
+  EXPECT_EQ(source.slice(text.inserted()[1].unit()->span()), "mg/cm^2");
+}
+
+TEST(Values, ByNameAndByCondition) {
+  const Source source("expression", "[(name: \"S\", at: (1cm, 2cm)) for i in 1..4 if i > 2]");
+  const Parsed parsed = parse_expression(source);
+  EXPECT_TRUE(parsed.errors.empty());
+  const List list = child<List>(root(parsed.tree)).value();
+  EXPECT_EQ(source.slice(list.generator()->condition()->span()), "i > 2");
+  const auto record = as<RecordLiteral>(list.elements().at(0));
+  ASSERT_TRUE(record);
+  EXPECT_EQ(source.slice(record->fields().at(1).name()->span()), "at");
 }
 
 }  // namespace

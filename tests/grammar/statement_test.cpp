@@ -257,6 +257,36 @@ TEST(Statement, Commands) {
   EXPECT_EQ(script(script.only<Expect>().condition()), "worn.x < 1%");
 }
 
+TEST(Statement, SolveStandsOverLines) {
+  const Script script("solve h in 8cm..20cm, w in a..b\n  so length(cap(h)) = x + 2cm,\n     (h, w) = p");
+  const auto solve = script.only<Solve>();
+  EXPECT_EQ(script(solve.unknowns().at(1).name()), "w");
+  EXPECT_EQ(script(solve.unknowns().at(0).range()->high()), "20cm");
+  EXPECT_EQ(script(solve.equations().at(0).right()), "x + 2cm");
+  EXPECT_EQ(script(solve.equations().at(1).left()), "(h, w)");
+  EXPECT_EQ(items(script.file()).size(), 1u);
+  EXPECT_EQ(items(Script("solve x in 0..1 so x = so\nlet so = 1\nlet solve = so").file()).size(), 3u);
+}
+
+TEST(Statement, ParamsWithChoices) {
+  const Script script("param a = \"x\" in [\"x\", \"y\"]\nparam b = 2 in low[1]..high");
+  EXPECT_EQ(script(all<Param>(script.file()).at(0).choices()->list()), "[\"x\", \"y\"]");
+  EXPECT_FALSE(all<Param>(script.file()).at(0).range());
+  EXPECT_EQ(script(all<Param>(script.file()).at(1).range()->low()), "low[1]");
+}
+
+TEST(Statement, EdgesThroughPointsAndOfALength) {
+  const Script script = in_piece(
+      "outline from (0, 0) {\n  a = curve to p leaving 1deg through q, r, s long 3cm arriving 2deg\n"
+      "  b = arc to p radius 2cm large long 9cm\n}");
+  const auto edges = items(script.in_piece<Outline>());
+  const auto curve = as<Edge>(edges.at(0))->walk().value();
+  EXPECT_THAT(script(curve.waypoints()), ElementsAre("q", "r", "s"));
+  EXPECT_EQ(script(curve.wanted_length()), "3cm");
+  EXPECT_EQ(script(curve.arriving()), "2deg");
+  EXPECT_EQ(script(as<Edge>(edges.at(1))->walk()->wanted_length()), "9cm");
+}
+
 TEST(Statement, KeywordsNameEdgesAndPieces) {
   const Script script = in_garment(
       "piece sew {\n  outline from (0, 0) {\n    from = line to p\n    to = line to start\n  }\n  fold from\n}\n"

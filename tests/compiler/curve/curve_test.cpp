@@ -7,10 +7,13 @@
 #include <algorithm>
 #include <numbers>
 
+#include "tests/compiler/curve/any_curve.hpp"
+
 namespace toile {
 namespace {
 
 using std::numbers::pi;
+using test::any_bezier;
 
 void expect_near(Vec2 found, Vec2 wanted, double tolerance) {
   EXPECT_NEAR(found.x, wanted.x, tolerance);
@@ -25,16 +28,6 @@ Curve parabola() {
 Curve mixed() {
   return join({line({0, 0}, {0.3, 0.1}), bezier({0.3, 0.1}, {0.5, 0.1}, {0.4, 0.5}, {0.6, 0.6}),
                arc_of_radius({0.6, 0.6}, {0.2, 0.9}, 0.4)});
-}
-
-// Three control arms anywhere in a metre: loops, cusps and folds included.
-rc::Gen<Curve> any_bezier() {
-  const auto coordinate = [] {
-    return rc::gen::map(rc::gen::inRange(-1000, 1001), [](int mm) { return mm / 1000.0; });
-  };
-  const auto place = [=] { return rc::gen::construct<Vec2>(coordinate(), coordinate()); };
-  return rc::gen::apply([](Vec2 a, Vec2 b, Vec2 c, Vec2 d) { return bezier(a, b, c, d); }, place(), place(), place(),
-                        place());
 }
 
 TEST(CurveLength, LinesAndArcsAreExact) {

@@ -148,6 +148,51 @@ TEST(Sewing, GeometryIsCheckedOnSoundGarmentsOfTheSameScript) {
   EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0101 4:20"), StartsWith("E0301 12:7")));
 }
 
+const std::string holed = square +
+                          "    hole eye from (5cm, 3cm) {\n      right = arc to (5cm, 7cm) radius 2cm\n"
+                          "      left = arc to start radius 2cm\n    }\n";
+
+TEST(Holes, AreSewnAndWornByTheirNames) {
+  const Script script("body ball = sphere(radius: 10cm)\n" +
+                      with_piece(holed, "  sew p.eye.left to p.eye.right.drawn reversed\n"));
+  EXPECT_THAT(script.told(), IsEmpty()) << script.rendered();
+  const Garment& garment = script.program->garments().at(0);
+  ASSERT_THAT(garment.seams, SizeIs(1));
+  EXPECT_EQ(garment.seams[0].name, "p.eye.left to p.eye.right");
+}
+
+TEST(Holes, AreCurvesForLaterLines) {
+  Script script(with_piece(holed + "    let rim = length(eye.left) + length(eye.right)\n") +
+                "print g.p.rim, g.p.eye.left.start, g.p.eye\n");
+  EXPECT_THAT(script.told(), IsEmpty()) << script.rendered();
+  EXPECT_THAT(script.printed(), ElementsAre("12.5664 cm (5 cm, 7 cm) hole eye"));
+}
+
+TEST(Holes, OfAVariationReplaceThoseOfTheirName) {
+  const Script script("garment g {\n  piece p {\n" + holed +
+                      "  }\n  piece q = p with {\n    hole eye from (5cm, 4cm) {\n"
+                      "      rim = circle about (5cm, 5cm)\n    }\n"
+                      "    hole other from (1cm, 1cm) {\n      rim = circle about (1.5cm, 1cm)\n    }\n  }\n"
+                      "  sew p.west to q.west\n}\n");
+  EXPECT_THAT(script.told(), IsEmpty()) << script.rendered();
+  EXPECT_THAT(script.program->garments().at(0).pieces.at(1).holes, SizeIs(2));
+  EXPECT_THAT(script.program->garments().at(0).pieces.at(1).holes[0], SizeIs(1));
+}
+
+TEST(Holes, MistakesInTheirNames) {
+  const Script script(
+      with_piece(holed, "  sew p.eye to p.east\n  sew p.eye.lfet to p.east\n  sew p.eye.left.mirored to p.east\n"));
+  EXPECT_THAT(script.told(),
+              ElementsAre(AllOf(StartsWith("E0308 14:9"), HasSubstr("is a hole")),
+                          AllOf(StartsWith("E0308 15:13"), HasSubstr("no edge `lfet`")), StartsWith("E0103 16:18")));
+  EXPECT_THAT(Script(with_piece(holed, "  sew p.left to p.east\n")).told(), ElementsAre(StartsWith("E0308 14:7")));
+  EXPECT_THAT(Script(with_piece(square + "    hole west from (5cm, 3cm) {\n      rim = circle about (5cm, 5cm)\n    }\n"
+                                         "    hole eye from (1cm, 1cm) {\n      a = line to (2cm, 1cm)\n"
+                                         "      a = line to (2cm, 2cm)\n      b = line to start\n    }\n"))
+                  .told(),
+              ElementsAre(StartsWith("E0102 9:10"), StartsWith("E0102 14:7")));
+}
+
 TEST(Garments, HaveParametersAndDefaults) {
   Script script(
       "garment strip(width = 10cm) {\n  let shown = 2 * width\n  piece p {\n    outline from (0cm, 0cm) {\n"

@@ -81,14 +81,15 @@ inline void expect_sound(const PMesh& mesh, const Garment& garment) {
   ASSERT_EQ(mesh.edge_nodes.size(), garment.pieces.size());
   double off = 0;
   for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
-    ASSERT_EQ(mesh.edge_nodes[p].size(), garment.pieces[p].edges.size());
-    for (std::size_t e = 0; e < garment.pieces[p].edges.size(); ++e) {
+    ASSERT_EQ(mesh.edge_nodes[p].size(), static_cast<std::size_t>(garment.pieces[p].edge_count()));
+    for (std::size_t e = 0; e < mesh.edge_nodes[p].size(); ++e) {
       const auto& nodes = mesh.edge_nodes[p][e];
       ASSERT_EQ(nodes.points.size(), nodes.arc.size());
       ASSERT_GE(nodes.points.size(), 2U);
       EXPECT_TRUE(std::is_sorted(nodes.arc.begin(), nodes.arc.end(), std::less_equal<>()));
       for (std::size_t i = 0; i < nodes.points.size(); ++i) {
-        off = std::max(off, distance(mesh.points[nodes.points[i]], garment.pieces[p].edges[e].curve.at(nodes.arc[i])));
+        off = std::max(off, distance(mesh.points[nodes.points[i]],
+                                     garment.pieces[p].edge(static_cast<int>(e)).curve.at(nodes.arc[i])));
       }
     }
   }

@@ -56,11 +56,13 @@ inline DraftDart dart(std::string name, std::string edge_name, double at, double
   return {std::move(name), std::move(edge_name), at, width, depth, next_place()};
 }
 
-/// "front.side" or "front.side.mirrored" or "front.side.drawn".
+/// "front.side", "front.side.mirrored", "front.side.drawn", "front.eye.rim" or "front.eye.rim.mirrored".
 inline DraftEdgeRef edge_ref(const std::string& text) {
-  const auto first = text.find('.'), second = text.find('.', first + 1);
-  DraftEdgeRef reference{text.substr(0, first), text.substr(first + 1, second - first - 1), {}, next_place()};
-  if (second != std::string::npos) reference.side = text.substr(second) == ".mirrored" ? Side::Mirrored : Side::Drawn;
+  const auto first = text.find('.'), last = text.rfind('.');
+  DraftEdgeRef reference{text.substr(0, first), text.substr(first + 1), {}, next_place()};
+  if (text.substr(last) == ".mirrored") reference.side = Side::Mirrored;
+  if (text.substr(last) == ".drawn") reference.side = Side::Drawn;
+  if (reference.side) reference.edge = text.substr(first + 1, last - first - 1);
   return reference;
 }
 
@@ -124,7 +126,7 @@ inline std::string described(const Garment& made, const Chain& chain) {
   std::string text;
   for (const ChainLink& link : chain) {
     const Piece& piece = made.pieces[link.edge.piece];
-    const PieceEdge& e = piece.edges[link.edge.edge];
+    const PieceEdge& e = piece.edge(link.edge.edge);
     if (!text.empty()) text += " ";
     text += std::string(link.forward ? "" : "-") + piece.drawn_name + "." + e.name;
     if (e.part > 0) text += "#" + std::to_string(e.part);

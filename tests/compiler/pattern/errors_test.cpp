@@ -241,13 +241,6 @@ TEST(SeamErrors, CopyThatDoesNotExist) {
              "E0322");
 }
 
-TEST(SeamErrors, EdgeOfAHole) {
-  DraftPiece piece = rectangle("front", 0.3, 0.5);
-  piece.holes = {{"eye", {edge("rim", circle({0.15, 0.2}, {0.17, 0.2}))}, next_place()}};
-  EXPECT_THAT(only_error(garment({piece}, {}, {wear({"front.rim"}, "neck")}), "E0308").message,
-              HasSubstr("hole `eye`"));
-}
-
 TEST(WearErrors, WornTwice) {
   const DraftGarment draft =
       garment({rectangle("front", 0.3, 0.5)}, {}, {wear({"front.top"}, "waist"), wear({"front.top"}, "hip")});
