@@ -121,7 +121,7 @@ Value part_of_a_circle(const BuiltinCall& call) {
 
 /// Out along a radius, round, and back.
 Value sector(const BuiltinCall& call) {
-  const Value round = part_of_a_circle(call);
+  Value round = part_of_a_circle(call);
   const auto* arc = round.as<PlaneCurve>();
   if (arc == nullptr || !round.known()) return round;
   const Vec2 centre = call.point(0);

@@ -3,6 +3,7 @@
 // the cone.
 #pragma once
 
+#include <array>
 #include <vector>
 
 #include "runtime/body/body.hpp"
@@ -11,11 +12,12 @@
 
 namespace toile {
 
-/// A place of the cloth at which contact is measured: a vertex, or the middle of an edge (so that no body bulges
-/// through between vertices). Together they integrate quadratics over every triangle.
+/// A place of the cloth at which contact is measured: a vertex, the middle of an edge or that of a triangle (so that no
+/// body bulges through between vertices). Together they integrate cubics over every triangle.
 struct ContactPoint {
-  int first = 0, second = 0;  // the same for a vertex
-  double area = 0;            // [m2]
+  std::array<int, 3> vertices{};  // the place is their mean
+  int count = 1;                  // how many of them: 1, 2 or 3
+  double area = 0;                // [m2]
 };
 
 struct ContactForces {

@@ -8,6 +8,7 @@
 #include "runtime/drape/describe.hpp"
 #include "runtime/energy/elastic.hpp"
 #include "runtime/energy/gravity.hpp"
+#include "runtime/mesh/index.hpp"
 #include "runtime/solve/newton.hpp"
 #include "runtime/solve/okabe.hpp"
 
@@ -19,7 +20,7 @@ constexpr double carried_rate = 30;  // [1/s2] a form that was carried over need
 std::vector<int> reduced_unknowns(const ClothUnknowns& unknowns, const std::vector<int>& held) {
   std::vector<int> reduced(static_cast<std::size_t>(unknowns.count()), 0);
   for (const int vertex : held) {
-    for (int k = 0; k < 3; ++k) reduced[static_cast<std::size_t>(3 * vertex + k)] = -1;
+    for (int k = 0; k < 3; ++k) reduced[index(3 * vertex + k)] = -1;
   }
   int next = 0;
   for (int& r : reduced) {
@@ -38,7 +39,7 @@ std::vector<double> vertex_masses(const Cloth& cloth, double weight) {
 /// A smooth, fixed disturbance of low wavenumber, so that folds are not locked to a symmetry of the start.
 void disturb(Vector& q, const std::vector<int>& reduced, int vertices, double amplitude) {
   for (int v = 0; v < vertices; ++v) {
-    if (reduced[static_cast<std::size_t>(3 * v)] < 0) continue;
+    if (reduced[index(3 * v)] < 0) continue;
     const Vector3 x = q.segment<3>(3 * v);
     const Vector3 wave(std::sin(31 * x.y() + 17 * x.z() + 0.7), std::sin(29 * x.x() - 19 * x.z() + 1.9),
                        std::sin(23 * x.x() + 27 * x.y() + 0.3));

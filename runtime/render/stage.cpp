@@ -11,6 +11,7 @@
 namespace toile {
 namespace {
 
+constexpr double kDeepestDip = 5e-3;                         // [m] cloth deeper in the body is shown where it is
 constexpr double kClothCrease = std::numbers::pi;            // a cloth is smooth wherever it goes on
 constexpr double kBodyCrease = 62 * std::numbers::pi / 180;  // the rim of a disc is an edge
 constexpr Rgb kIvory{0.64, 0.60, 0.53};
@@ -88,7 +89,7 @@ Stage::Stage(const std::vector<DressedCloth>& cloths, const Body* body) {
   bring_to_unit_size(cloths, body);
   for (const DressedCloth& cloth : cloths) {
     if (!fits(cloth)) continue;
-    add_cloth(cloth, cloth.shown ? common_scale(cloths, *cloth.shown) : std::nullopt);
+    add_cloth(cloth, cloth.shown ? common_scale(cloths, *cloth.shown) : std::nullopt, body);
   }
   if (body != nullptr && !is_plane(body)) add_body(*body);
   set_floor(body);
@@ -133,7 +134,16 @@ void Stage::bring_to_unit_size(const std::vector<DressedCloth>& cloths, const Bo
   if (body != nullptr && !is_plane(body)) frame(body->surface().points);
 }
 
-void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>& scale) {
+/// The smooth surface swings out at sharp folds: the points it added, from `first` on, must not dip into the body
+/// there.
+void Stage::keep_outside(const Body& body, std::size_t first, std::vector<Vec3>& points) const {
+  for (std::size_t i = first; i < points.size(); ++i) {
+    const auto surface = body.nearest(from_stage(points[i]), 0);
+    if (surface && surface->distance > -kDeepestDip) points[i] = to_stage(surface->point);
+  }
+}
+
+void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>& scale, const Body* body) {
   Surface surface;
   for (const Vec3& p : *cloth.positions) surface.points.push_back(is_finite(p) ? to_stage(p) : Vec3{});
   const std::vector<double> values = scale ? at_vertices(*cloth.shown, *cloth.cloth) : std::vector<double>{};
@@ -155,6 +165,7 @@ void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>
   Actor actor;
   actor.material = Material::Cloth;
   actor.surface = smoothed(std::move(surface));
+  if (body != nullptr) keep_outside(*body, cloth.positions->size(), actor.surface.points);
   actor.textile.emplace(cloth.textile);
   actor.scale = scale;
   actor.mean = scale ? grey(0.6) : actor.textile->mean();

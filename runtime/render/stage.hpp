@@ -59,11 +59,13 @@ class Stage {
   Spot spot(const Ray& ray, const RayHit& hit, double pixel) const;
 
  private:
-  void add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>& scale);
+  void add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>& scale, const Body* body);
   void add_body(const Body& body);
   void bring_to_unit_size(const std::vector<DressedCloth>& cloths, const Body* body);
   void set_floor(const Body* body);
   Vec3 to_stage(Vec3 p) const { return (p - centre_) / size_; }
+  Vec3 from_stage(Vec3 p) const { return centre_ + size_ * p; }
+  void keep_outside(const Body& body, std::size_t first, std::vector<Vec3>& points) const;
 
   std::vector<Actor> actors_;
   RayScene rays_;
