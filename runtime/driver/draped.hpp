@@ -16,14 +16,15 @@ namespace toile {
 /// A garment sewn up, ready to be draped any number of times.
 struct MadeGarment {
   Garment garment;
+  PMeshOptions mesh_options;
   SewnMesh mesh;
   Cloth cloth;
-  /// Coarser meshes of the same garment, the coarsest first: draping begins on them.
-  struct Coarse {
-    SewnMesh mesh;
-    Cloth cloth;
-  };
-  std::vector<Coarse> coarse;
+};
+
+/// A coarser mesh of the same garment.
+struct CoarseGarment {
+  SewnMesh mesh;
+  Cloth cloth;
 };
 
 /// A drape with all that pictures, files and reports need of it.

@@ -70,6 +70,8 @@ class Workroom {
  private:
   void pass_on_diagnostics();
   std::optional<FabricSheet> replacement_fabric();
+  /// The meshes that draping begins on, the coarsest first.
+  const std::vector<CoarseGarment>& coarse(int garment, const MadeGarment& made);
   void note_drape(const DrapeCommand& command, const Draped& draped);
 
   WorkroomOptions options_;
@@ -81,6 +83,7 @@ class Workroom {
   std::unique_ptr<Program> program_;
   std::size_t passed_on_ = 0;
   std::map<int, std::shared_ptr<const MadeGarment>> made_;
+  std::map<int, std::vector<CoarseGarment>> coarse_;
   Outcome outcome_;
   Profile profile_;
 };

@@ -18,20 +18,28 @@ std::shared_ptr<const MadeGarment> Workroom::make(int garment) {
   }
   {
     const Stopwatch watch(profile_.mesh_s);
-    PMeshOptions mesh;
-    mesh.target_edge = edge_for_triangles(made->garment, options_.triangles);
-    made->mesh = sew(made->garment, mesh);
+    made->mesh_options.target_edge = edge_for_triangles(made->garment, options_.triangles);
+    made->mesh = sew(made->garment, made->mesh_options);
     made->cloth = make_cloth(made->mesh);
-    for (const double coarser : level_edges(mesh.target_edge, static_cast<int>(made->cloth.triangles.size()))) {
-      mesh.target_edge = coarser;
-      MadeGarment::Coarse& level = made->coarse.emplace_back();
-      level.mesh = sew(made->garment, mesh);
-      level.cloth = make_cloth(level.mesh);
-    }
   }
   if (interrupted()) return nullptr;
   made_.emplace(garment, made);
   return made;
+}
+
+const std::vector<CoarseGarment>& Workroom::coarse(int garment, const MadeGarment& made) {
+  const auto [found, is_new] = coarse_.try_emplace(garment);
+  std::vector<CoarseGarment>& coarse = found->second;
+  if (!is_new) return coarse;
+  const Stopwatch watch(profile_.mesh_s);
+  PMeshOptions options = made.mesh_options;
+  for (const double edge : level_edges(options.target_edge, static_cast<int>(made.cloth.triangles.size()))) {
+    options.target_edge = edge;
+    CoarseGarment& level = coarse.emplace_back();
+    level.mesh = sew(made.garment, options);
+    level.cloth = make_cloth(level.mesh);
+  }
+  return coarse;
 }
 
 // The expression is evaluated in the script's own scope: a garment of one plain square in that cloth is added to the
@@ -77,7 +85,7 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   options.threads = options_.threads;
   options.gravity = draped.body != nullptr;
   std::vector<DrapeLevel> levels;
-  for (const MadeGarment::Coarse& coarse : draped.made->coarse) levels.push_back({&coarse.mesh, &coarse.cloth});
+  for (const CoarseGarment& level : coarse(command.garment, *draped.made)) levels.push_back({&level.mesh, &level.cloth});
   levels.push_back({&draped.made->mesh, &draped.made->cloth});
   const Garment& garment = draped.made->garment;
   DrapedLevels result = drape_levels(levels, garment.wears, garment.fabric, draped.body.get(), options, job_);
