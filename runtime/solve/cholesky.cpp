@@ -75,7 +75,7 @@ Vector Cholesky::solve(const Vector& right) const {
   b.dtype = CHOLMOD_DOUBLE;
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, handle_->factor, &b, &handle_->common);
   if (x == nullptr) return Vector::Zero(right.size());
-  const Vector solution = Eigen::Map<const Vector>(static_cast<double*>(x->x), right.size());
+  Vector solution = Eigen::Map<const Vector>(static_cast<double*>(x->x), right.size());
   cholmod_free_dense(&x, &handle_->common);
   return solution;
 }

@@ -9,6 +9,7 @@ namespace {
 constexpr double highest_lift = 1e2, lowest_lift = 1e-3;  // [1/s2]
 constexpr double highest_lift_near_rest = 1e4;            // a saddle is left along its own way down
 constexpr double near_rest = 0.5;                         // relative residual
+constexpr int most_halvings = 13;                         // of a step that does not lower the energy
 constexpr int longest_pause = 8;                          // iterations
 
 /// One run of Newton's method.
@@ -120,7 +121,8 @@ double Newton::search(const Vector& step) {
   const double slope = gradient_.dot(step);
   if (!(slope < 0)) return 0;
   const double noise = 1e-13 * std::abs(energy_);
-  for (double fraction = 1; fraction > 1e-4; fraction /= 2) {
+  for (int halvings = 0; halvings <= most_halvings; ++halvings) {
+    const double fraction = std::ldexp(1, -halvings);
     const Vector trial = q_ + fraction * step;
     const double energy = evaluate(trial, nullptr);
     if (std::isfinite(energy) && energy <= energy_ + 1e-4 * fraction * slope + noise) {
