@@ -115,6 +115,19 @@ struct Textile : ViewOf<Kind::Textile> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
 };
 
+/// SIZE expr { "," expr }: the measurements of one size.
+struct SizeRow : ViewOf<Kind::SizeRow> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::vector<Expr> values() const { return all<Expr>(*this); }
+};
+
+/// sizes women(waist, hip) at M { rows }. items() are SizeRows.
+struct Sizes : ViewOf<Kind::Sizes> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Parameters> measures() const { return child<Parameters>(*this); }
+  std::optional<Token> base() const { return after<Token>(*this, Kind::KwAt); }
+};
+
 /// NAME expr between the braces of a body part or a dart.
 struct Property : ViewOf<Kind::Property> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
@@ -148,7 +161,7 @@ struct Garment : ViewOf<Kind::Garment> {
   std::optional<Expr> textile() const { return after<Expr>(*this, Kind::KwPrinted); }
 };
 
-/// items() are Let Outline Hole Fold Cut Grain Dart Notch Allowance Label.
+/// items() are Let Outline Hole Fold Cut Grain Dart Notch Repeat Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
@@ -218,6 +231,11 @@ struct Dart : ViewOf<Kind::Dart> {
 
 struct Notch : ViewOf<Kind::Notch> {
   std::optional<Position> position() const { return child<Position>(*this); }
+};
+
+/// for i in 1..4 { notch at i * 5cm of side }. items() are Darts and Notches.
+struct Repeat : ViewOf<Kind::Repeat> {
+  std::optional<For> values() const { return child<For>(*this); }
 };
 
 struct EdgeAllowance : ViewOf<Kind::EdgeAllowance> {

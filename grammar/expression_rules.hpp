@@ -106,8 +106,9 @@ struct operators;
 struct tuple_items : pegtl::seq<expression, pegtl::opt<comma, expression, pegtl::opt<comma, expression>>> {};
 struct tuple : node<Kind::Tuple, bracketed<Kind::LeftParen, Kind::RightParen, tuple_items>> {};
 
-struct generator : node<Kind::For, word<Kind::KwFor>, any_name, word<Kind::KwIn>, expression,
-                        pegtl::opt<sign<Kind::DotDot>, expression>, pegtl::opt<word<Kind::KwIf>, expression>> {};
+struct generated : pegtl::seq<any_name, word<Kind::KwIn>, expression, pegtl::opt<sign<Kind::DotDot>, expression>,
+                              pegtl::opt<word<Kind::KwIf>, expression>> {};
+struct generator : node<Kind::For, word<Kind::KwFor>, generated> {};
 struct list_items
     : pegtl::opt<expression, pegtl::sor<generator, pegtl::seq<pegtl::star<comma, expression>, pegtl::opt<comma>>>> {};
 struct list : node<Kind::List, bracketed<Kind::LeftBracket, Kind::RightBracket, list_items>> {};

@@ -83,6 +83,16 @@ struct fabric : statement<Kind::Fabric, word<Kind::KwFabric>, to_block<rows>, an
                           pegtl::opt<assign, expression, word<Kind::KwWith>>, rows, at_end<>> {};
 struct textile : statement<Kind::Textile, word<Kind::KwTextile>, to_block<rows>, any_name, rows, at_end<>> {};
 
+// ------------------------------------------------------------------------------------------------------ sizes
+
+/// Sizes are called `M`, `2XL`, `38`.
+struct size_name : token<Kind::Name, pegtl::plus<pegtl::identifier_other>> {};
+struct size_row
+    : line<Kind::SizeRow, pegtl::seq<not_outside_rows, size_name>, expression, pegtl::star<comma, expression>> {};
+struct size_rows : block<0, size_row> {};
+struct sizes : statement<Kind::Sizes, word<Kind::KwSizes>, to_block<size_rows>, value_name, parameters,
+                         pegtl::opt<word<Kind::KwAt>, size_name>, size_rows, at_end<>> {};
+
 // ----------------------------------------------------------------------------------------------------- bodies
 
 struct property : statement<Kind::Property, pegtl::seq<not_outside_rows, any_name>, to_comma, expression, at_end<','>> {
@@ -150,14 +160,17 @@ struct grain : line<Kind::Grain, word<Kind::KwGrain>, pegtl::sor<pegtl::seq<grai
 struct dart : statement<Kind::Dart, word<Kind::KwDart>, to_block<properties>, pegtl::opt<name_before<Kind::KwAt>>,
                         word<Kind::KwAt>, position, properties, at_end<>> {};
 struct notch : line<Kind::Notch, word<Kind::KwNotch>, word<Kind::KwAt>, position> {};
+struct repeated : block<statement_words(Kind::KwDart, Kind::KwNotch), pegtl::sor<dart, notch>> {};
+struct repeat
+    : statement<Kind::Repeat, word<Kind::KwFor>, to_block<repeated>, node<Kind::For, generated>, repeated, at_end<>> {};
 struct edge_allowance : node<Kind::EdgeAllowance, any_name, expression> {};
 struct allowance : line<Kind::Allowance, word<Kind::KwAllowance>, expression, pegtl::star<comma, edge_allowance>> {};
 struct label : line<Kind::Label, word<Kind::KwLabel>, expression> {};
 
 /// "And the rest as before": what a varied piece does not mention it has from its model, said or unsaid.
 struct and_so_on : sign<Kind::Ellipsis> {};
-struct piece_item : pegtl::sor<and_so_on, outline, let, solve, fold, dart, notch, grain, allowance, cut, label, hole> {
-};
+struct piece_item
+    : pegtl::sor<and_so_on, outline, let, solve, fold, dart, notch, grain, allowance, cut, label, hole, repeat> {};
 struct piece_block : block<piece_words, piece_item> {};
 struct piece : statement<Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
                          pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block, at_end<>> {};
@@ -200,9 +213,8 @@ struct export_ : line<Kind::Export, word<Kind::KwExport>, expression, word<Kind:
 struct print : line<Kind::Print, word<Kind::KwPrint>, expression, pegtl::star<comma, expression>> {};
 struct expect : line<Kind::Expect, word<Kind::KwExpect>, expression> {};
 
-struct file_item
-    : pegtl::sor<let, param, solve, fn, import, garment, fabric, textile, body, drape, render, export_, print, expect> {
-};
+struct file_item : pegtl::sor<let, param, solve, fn, import, garment, fabric, textile, sizes, body, drape, render,
+                              export_, print, expect> {};
 
 /// Statements to the end of the text. Always succeeds.
 struct file {

@@ -40,9 +40,10 @@ constexpr StatementWords statement_words(Kinds... keywords) {
   return (statement_word(keywords) | ... | StatementWords{0});
 }
 
-inline constexpr StatementWords file_words = statement_words(
-    Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwSolve, Kind::KwFabric, Kind::KwTextile,
-    Kind::KwBody, Kind::KwGarment, Kind::KwDrape, Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
+inline constexpr StatementWords file_words =
+    statement_words(Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwSolve, Kind::KwFabric,
+                    Kind::KwTextile, Kind::KwSizes, Kind::KwBody, Kind::KwGarment, Kind::KwDrape, Kind::KwRender,
+                    Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
 inline constexpr StatementWords garment_words =
     statement_words(Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear);
 inline constexpr StatementWords piece_words =

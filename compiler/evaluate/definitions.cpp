@@ -12,6 +12,7 @@
 #include "compiler/evaluate/garments.hpp"
 #include "compiler/evaluate/modules.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/sizes.hpp"
 #include "compiler/evaluate/solve.hpp"
 
 namespace toile {
@@ -184,6 +185,8 @@ void define_module(Session& session, Module& module) {
       define_fabric(session, scope, *fabric);
     } else if (const auto textile = syntax::as<syntax::Textile>(item)) {
       define_textile(session, scope, *textile);
+    } else if (const auto sizes = syntax::as<syntax::Sizes>(item)) {
+      define_sizes(session, scope, *sizes);
     } else if (const auto garment = syntax::as<syntax::Garment>(item)) {
       define_garment(session, scope, *garment);
     } else {

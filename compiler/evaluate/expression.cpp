@@ -11,6 +11,7 @@
 #include "compiler/evaluate/call.hpp"
 #include "compiler/evaluate/literals.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/repetition.hpp"
 #include "compiler/units/unit.hpp"
 
 namespace toile {
@@ -22,7 +23,6 @@ using syntax::Kind;
 constexpr int deepest = 1000;                  // expressions inside of expressions, definitions and calls included
 constexpr std::intptr_t most_stack = 5 << 20;  // [bytes] of 8 MiB
 constexpr long most_steps = 500'000;           // expressions evaluated in all
-constexpr std::size_t longest_list = 10'000;
 
 /// One expression being evaluated; keeps count of depth and steps.
 class Step {
@@ -124,19 +124,9 @@ class Evaluation {
     if (!op || !operand) return Unknown{};
     const Value value_of_operand = value(operand);
     if (op->kind() == Kind::Minus) return apply_minus(session_, {value_of_operand, at(*operand)});
-    const std::optional<Value> truth = truth_of(value_of_operand, *operand, "`not`");
+    const std::optional<Value> truth = truth_of(session_, module_, value_of_operand, *operand, "`not`");
     if (!truth) return Unknown{};
     return {Truth{!truth->as<Truth>()->value}, truth->known()};
-  }
-
-  /// A truth as it stands, or an error.
-  std::optional<Value> truth_of(const Value& condition, const syntax::Expr& written, const std::string& whose) {
-    if (condition.unknown()) return std::nullopt;
-    if (condition.as<Truth>() != nullptr) return condition;
-    session_.report.add(Problem("E0202", whose + " needs true or false, and this is " + describe(condition))
-                            .at(at(written), describe(condition))
-                            .help("compare it with something: `a < b`"));
-    return std::nullopt;
   }
 
   Value binary(const syntax::Binary& expr) {
@@ -152,9 +142,9 @@ class Evaluation {
 
   Value logical(Kind op, const syntax::Expr& left, const syntax::Expr& right) {
     const std::string whose = "`" + std::string(syntax::spelling(op)) + "`";
-    const std::optional<Value> a = truth_of(value(left), left, whose);
+    const std::optional<Value> a = truth_of(session_, module_, value(left), left, whose);
     const bool decided = a && a->known() && a->as<Truth>()->value == (op == Kind::KwOr);
-    const std::optional<Value> b = truth_of(decided ? supposed(right) : value(right), right, whose);
+    const std::optional<Value> b = truth_of(session_, module_, decided ? supposed(right) : value(right), right, whose);
     if (decided) return *a;
     if (!a || !b) return {Truth{}, false};
     return {Truth{b->as<Truth>()->value}, a->known() && b->known()};
@@ -165,7 +155,7 @@ class Evaluation {
     const auto then_expr = expr.then();
     const auto else_expr = expr.otherwise();
     if (!condition_expr || !then_expr || !else_expr) return Unknown{};
-    const std::optional<Value> condition = truth_of(value(condition_expr), *condition_expr, "`if`");
+    const std::optional<Value> condition = truth_of(session_, module_, value(condition_expr), *condition_expr, "`if`");
     const bool decided = condition && condition->known();
     const bool taken = decided && condition->as<Truth>()->value;
     const Value yes = decided && taken ? value(then_expr) : supposed(then_expr);
@@ -269,65 +259,13 @@ class Evaluation {
   }
 
   Value comprehension(const syntax::For& generator, const syntax::Expr& element_expr) {
-    const std::optional<std::vector<Value>> values = generated(generator);
-    const auto variable = generator.name();
-    if (!values || !variable) return Unknown{};
     std::vector<Value> items;
-    bool known = true;
-    for (const Value& each : *values) {
-      Scope inner(scope_.module(), &scope_, true, signature(each));
-      inner.define_value(session_.name_of(module_, variable), at(*variable), each);
-      mark_try(session_, *inner.definitions().back());
-      if (generator.condition()) {
-        const std::optional<Value> wanted =
-            truth_of(evaluate(session_, inner, generator.condition()), *generator.condition(), "`if`");
-        if (!wanted) return Unknown{};
-        known = known && wanted->known();
-        if (wanted->known() && !wanted->as<Truth>()->value) continue;
-      }
+    bool all_known = true;
+    const auto known = for_each_value(session_, scope_, generator, [&](const Scope& inner) {
       items.push_back(evaluate(session_, inner, element_expr));
-      known = known && items.back().known();
-      if (session_.exhausted) return Unknown{};
-    }
-    return list_value(std::move(items), known);
-  }
-
-  /// What the variable of a comprehension runs through; one value without magnitude when that is not known.
-  std::optional<std::vector<Value>> generated(const syntax::For& generator) {
-    const auto from_expr = generator.from();
-    const auto to_expr = generator.to();
-    const Value from = value(from_expr);
-    if (!to_expr) {
-      if (from.unknown()) return std::nullopt;
-      if (const auto* given = from.as<ListValue>()) return *given->items;
-      session_.report.add(Problem("E0202", "`for` runs through a list or a range, and this is " + describe(from))
-                              .at(at(*from_expr), describe(from))
-                              .help("write `for i in 1..4`"));
-      return std::nullopt;
-    }
-    const Value to = value(to_expr);
-    if (!whole_number(from, *from_expr) || !whole_number(to, *to_expr)) return std::nullopt;
-    if (!from.known() || !to.known()) return std::vector<Value>{number(0, false)};
-    const double first = from.as<Quantity>()->si;
-    const double last = to.as<Quantity>()->si;
-    if (last - first >= static_cast<double>(longest_list)) {
-      session_.report.add(Problem("E0113", fmt::format("a list of more than {} elements", longest_list))
-                              .at({module_.file, {from_expr->span().begin, to_expr->span().end}}));
-      return std::nullopt;
-    }
-    std::vector<Value> values;
-    const int steps = last < first ? -1 : static_cast<int>(last - first);  // below the bound just checked
-    for (int i = 0; i <= steps; ++i) values.push_back(number(first + i));
-    return values;
-  }
-
-  bool whole_number(const Value& candidate, const syntax::Expr& written) {
-    if (candidate.unknown()) return false;
-    const auto* q = candidate.as<Quantity>();
-    if (q != nullptr && q->dimension.plain() && (!candidate.known() || q->si == std::round(q->si))) return true;
-    const std::string found = q != nullptr && q->dimension.plain() ? format(candidate) : describe(candidate);
-    session_.report.add(Problem("E0202", "a whole number is wanted, and this is " + found).at(at(written), found));
-    return false;
+      all_known = all_known && items.back().known();
+    });
+    return known ? list_value(std::move(items), *known && all_known) : Value{};
   }
 
   Value element(const syntax::Index& expr) {
@@ -342,7 +280,7 @@ class Evaluation {
                               .at(at(*object), describe(sequence)));
       return Unknown{};
     }
-    if (!whole_number(index, *index_expr)) return Unknown{};
+    if (!whole_number(session_, module_, index, *index_expr)) return Unknown{};
     const std::vector<Value>& all = *items->items;
     const double place = index.as<Quantity>()->si;
     if (session_.supposing > 0 || !index.known()) return all.empty() ? Value{} : forget(all.front());

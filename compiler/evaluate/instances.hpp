@@ -61,6 +61,13 @@ struct PlannedEdge {
   syntax::Edge written;
 };
 
+/// A statement of a piece that may stand under a `for`.
+template <typename Statement>
+struct Repeated {
+  Statement written;
+  std::optional<syntax::For> each;
+};
+
 /// A piece's statements after its variations were applied: `piece back = front with { … }` starts from front's.
 struct PiecePlan {
   std::vector<syntax::Let> lets;
@@ -71,8 +78,8 @@ struct PiecePlan {
   std::optional<syntax::Fold> fold;
   std::optional<syntax::Cut> cut;
   std::optional<syntax::Grain> grain;
-  std::vector<syntax::Dart> darts;
-  std::vector<syntax::Notch> notches;
+  std::vector<Repeated<syntax::Dart>> darts;
+  std::vector<Repeated<syntax::Notch>> notches;
   std::optional<syntax::Allowance> allowance;
   std::optional<syntax::Label> label;
 };

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/pieces.hpp"
@@ -50,6 +51,27 @@ void take_solve(const Session& session, const Module& module, PiecePlan& plan, c
   });
   plan.solves.push_back(solve);
 }
+
+/// Darts and notches: the first of a kind that a piece has of its own puts those of its model away.
+class OwnDetails {
+ public:
+  explicit OwnDetails(PiecePlan& plan) : plan_(plan) {}
+
+  void take(const syntax::View& item, const std::optional<syntax::For>& each) {
+    if (const auto dart = syntax::as<syntax::Dart>(item)) {
+      if (!std::exchange(has_darts_, true)) plan_.darts.clear();
+      plan_.darts.push_back({*dart, each});
+    } else if (const auto notch = syntax::as<syntax::Notch>(item)) {
+      if (!std::exchange(has_notches_, true)) plan_.notches.clear();
+      plan_.notches.push_back({*notch, each});
+    }
+  }
+
+ private:
+  PiecePlan& plan_;
+  bool has_darts_ = false;
+  bool has_notches_ = false;
+};
 
 }  // namespace
 
@@ -113,8 +135,7 @@ void PiecePlanner::take_name(std::map<std::string, Location>& own, const syntax:
 void PiecePlanner::apply(PieceInstance& piece) {
   PiecePlan& plan = piece.plan;
   const Module& module = garment_.scope->module();
-  bool own_darts = false;
-  bool own_notches = false;
+  OwnDetails own(plan);
   std::vector<syntax::Hole> own_holes;
   std::map<std::string, Location> own_lets;
   for (const syntax::View item : syntax::items(piece.written)) {
@@ -139,18 +160,14 @@ void PiecePlanner::apply(PieceInstance& piece) {
       plan.cut = cut;
     } else if (const auto grain = syntax::as<syntax::Grain>(item)) {
       plan.grain = grain;
-    } else if (const auto dart = syntax::as<syntax::Dart>(item)) {
-      if (!own_darts) plan.darts.clear();
-      own_darts = true;
-      plan.darts.push_back(*dart);
-    } else if (const auto notch = syntax::as<syntax::Notch>(item)) {
-      if (!own_notches) plan.notches.clear();
-      own_notches = true;
-      plan.notches.push_back(*notch);
+    } else if (const auto repeat = syntax::as<syntax::Repeat>(item)) {
+      for (const syntax::View detail : syntax::items(*repeat)) own.take(detail, repeat->values());
     } else if (const auto allowance = syntax::as<syntax::Allowance>(item)) {
       plan.allowance = allowance;
     } else if (const auto label = syntax::as<syntax::Label>(item)) {
       plan.label = label;
+    } else {
+      own.take(item, std::nullopt);
     }
   }
   // Two holes of one name in one block stay two, for the definition of names to notice.

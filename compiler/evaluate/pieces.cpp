@@ -10,6 +10,7 @@
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/solve.hpp"
 #include "compiler/evaluate/walk.hpp"
 #include "compiler/evaluate/want.hpp"
@@ -98,8 +99,8 @@ class PieceDrafter {
     read_fold();
     read_cut();
     read_grain();
-    for (const syntax::Dart& dart : piece_.plan.darts) read_dart(dart);
-    for (const syntax::Notch& notch : piece_.plan.notches) read_notch(notch);
+    for (const auto& dart : piece_.plan.darts) repeat(dart, &PieceDrafter::read_dart);
+    for (const auto& notch : piece_.plan.notches) repeat(notch, &PieceDrafter::read_notch);
     if (piece_.plan.allowance) read_allowance(*piece_.plan.allowance);
     if (piece_.plan.label) read_label(*piece_.plan.label);
     return draft_;
@@ -202,18 +203,30 @@ class PieceDrafter {
     }
   }
 
+  /// Once for each value of the `for` around it, or just once.
+  template <typename Statement>
+  void repeat(const Repeated<Statement>& planned, void (PieceDrafter::*read)(const Statement&, const Scope&)) {
+    if (!planned.each) return (this->*read)(planned.written, *piece_.scope);
+    const auto known = for_each_value(session_, *piece_.scope, *planned.each, [&](const Scope& inner) {
+      ++turn_;
+      (this->*read)(planned.written, inner);
+    });
+    turn_ = 0;
+    if (!known) fail();
+  }
+
   struct Place {
     std::string edge;
     double at = 0;
   };
 
-  std::optional<Place> place(const std::optional<syntax::Position>& position) {
+  std::optional<Place> place(const std::optional<syntax::Position>& position, const Scope& scope) {
     if (!position) {
       fail();
       return std::nullopt;
     }
     const auto where_expr = position->where();
-    const Value where = evaluate(session_, *piece_.scope, where_expr);
+    const Value where = evaluate(session_, scope, where_expr);
     const DraftEdge* line = edge(position->edge());
     if (line == nullptr || where.unknown()) {
       fail();
@@ -235,12 +248,16 @@ class PieceDrafter {
     return s ? std::optional(Place{line->name, *s}) : std::nullopt;
   }
 
-  void read_dart(const syntax::Dart& dart) {
+  void read_dart(const syntax::Dart& dart, const Scope& scope) {
     DraftDart made;
     made.written = module_.at(dart);
     made.name = session_.name_of(module_, dart.name());
-    if (made.name.empty()) made.name = fmt::format("dart{}", draft_.darts.size() + 1);
-    const auto where = place(dart.position());
+    if (made.name.empty()) {
+      made.name = fmt::format("dart{}", draft_.darts.size() + 1);
+    } else if (turn_ > 0) {
+      made.name += fmt::format("{}", turn_);  // tuck1, tuck2
+    }
+    const auto where = place(dart.position(), scope);
     std::map<std::string, std::optional<double>> sizes;
     for (const syntax::Property& property : dart.properties()) {
       const auto token = property.name();
@@ -256,7 +273,7 @@ class PieceDrafter {
         fail();
         continue;
       }
-      sizes[name] = wanted_.positive(property.value(), dimension::length, "the " + name + " of a dart");
+      sizes[name] = Wanted{session_, scope}.positive(property.value(), dimension::length, "the " + name + " of a dart");
     }
     for (const char* name : {"width", "depth"}) {
       if (sizes.contains(name) || module_.broken(dart.span())) continue;
@@ -272,8 +289,8 @@ class PieceDrafter {
     draft_.darts.push_back(std::move(made));
   }
 
-  void read_notch(const syntax::Notch& notch) {
-    if (const auto where = place(notch.position())) {
+  void read_notch(const syntax::Notch& notch, const Scope& scope) {
+    if (const auto where = place(notch.position(), scope)) {
       draft_.notches.push_back({where->edge, where->at, module_.at(notch)});
     }
   }
@@ -302,6 +319,7 @@ class PieceDrafter {
   const Module& module_;
   Wanted wanted_;
   DraftPiece draft_;
+  int turn_ = 0;  // of the `for` around what is read, from 1 on; 0 outside
 };
 
 }  // namespace

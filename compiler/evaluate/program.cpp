@@ -6,6 +6,7 @@
 #include "compiler/evaluate/commands.hpp"
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/modules.hpp"
+#include "compiler/evaluate/sizes.hpp"
 #include "grammar/emit.hpp"
 #include "grammar/parse.hpp"
 
@@ -16,7 +17,8 @@ class LoadedProgram final : public Program {
  public:
   explicit LoadedProgram(World& world) : session_(world), commands_(session_) {}
 
-  void load(const std::string& name, std::string text, const std::vector<Setting>& settings) {
+  void load(const std::string& name, std::string text, const std::vector<Setting>& settings, const std::string& size) {
+    session_.size = size;
     Module& script = add_module(session_, name, std::move(text), false);
     for (const Setting& setting : settings) add_setting(session_, setting);
     commands_.define_results();
@@ -27,6 +29,7 @@ class LoadedProgram final : public Program {
     check_functions(session_);
     enter_bodies(script);
     report_unused_settings(session_);
+    report_unused_size(session_);
     commands_.check();
   }
 
@@ -34,6 +37,7 @@ class LoadedProgram final : public Program {
   const std::vector<Diagnostic>& diagnostics() const override { return session_.report.all(); }
   const std::vector<Garment>& garments() const override { return session_.garments; }
   const std::vector<BodySpec>& bodies() const override { return session_.bodies; }
+  std::vector<std::string> sizes() const override { return common_sizes(session_); }
   std::optional<Command> next() override { return commands_.next(); }
   void give(const Result& result) override { commands_.give(result); }
 
@@ -61,9 +65,9 @@ bool Program::ok() const {
 }
 
 std::unique_ptr<Program> load(const std::string& name, std::string text, const std::vector<Setting>& settings,
-                              World& world) {
+                              World& world, const std::string& size) {
   auto program = std::make_unique<LoadedProgram>(world);
-  program->load(name, std::move(text), settings);
+  program->load(name, std::move(text), settings, size);
   return program;
 }
 

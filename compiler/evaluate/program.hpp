@@ -88,6 +88,8 @@ class Program {
 
   virtual const std::vector<Garment>& garments() const = 0;
   virtual const std::vector<BodySpec>& bodies() const = 0;
+  /// The names of the sizes that can be chosen: those that each size table has.
+  virtual std::vector<std::string> sizes() const = 0;
 
   /// The next command with its expressions evaluated, or nullopt at the end (or after an error, which is then among the
   /// diagnostics).
@@ -96,9 +98,10 @@ class Program {
   virtual void give(const Result& result) = 0;
 };
 
-/// Parses, resolves, checks and evaluates everything but the commands. Never throws, always returns.
+/// Parses, resolves, checks and evaluates everything but the commands. Never throws, always returns. `size` chooses the
+/// row of every size table; empty leaves each at its own.
 std::unique_ptr<Program> load(const std::string& name, std::string text, const std::vector<Setting>& settings,
-                              World& world);
+                              World& world, const std::string& size = "");
 
 /// The tree as stable text for `toile compile --emit ast`, and the evaluated patterns for `--emit pattern`.
 std::string emit_ast(const std::string& name, std::string text);

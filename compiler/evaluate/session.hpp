@@ -30,7 +30,9 @@ struct Session {
     bool taken = false;
   };
   std::vector<GivenSetting> settings;
-  std::vector<std::string> param_names;  // as settings may call them
+  std::vector<std::string> param_names;               // as settings may call them
+  std::string size;                                   // `--size`, or empty
+  std::vector<std::vector<std::string>> size_tables;  // the names of their sizes
 
   // Referred to by values, so they never move.
   std::deque<UserFunction> functions;

@@ -12,7 +12,7 @@ namespace toile::syntax {
 inline constexpr int page_width = 100;
 
 /// Lines that follow each other with the same one of these are set in columns.
-enum class Table { None, Let, Param, Edge, Parameter, Command, Seam, Detail, Part, Measure };
+enum class Table { None, Let, Param, Edge, Parameter, Command, Seam, Detail, Part, Measure, Size };
 
 /// Part of a document. Texts are views into the source or literals.
 struct Doc {

@@ -93,6 +93,8 @@ Table table_of(Kind kind) {
     case Kind::Row:
     case Kind::Property:
       return Table::Measure;
+    case Kind::SizeRow:
+      return Table::Size;
     default:
       return Table::None;
   }
@@ -114,6 +116,8 @@ int stops_before(View statement, View part, int n) {
       return n == 1 || part.kind() == Kind::KwTo ? 1 : 0;
     case Table::Measure:
       return n == 1 && part.kind() != Kind::String ? 1 : 0;
+    case Table::Size:
+      return n > 0 && part.kind() != Kind::Comma ? 1 : 0;
     case Table::Part: {
       // Role, name, place, properties: a part that is missing leaves its column empty.
       const bool has_name = as<BodyPart>(statement)->name().has_value();

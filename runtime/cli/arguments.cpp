@@ -48,6 +48,9 @@ void script_file(CLI::App& app, Arguments& arguments) {
       ->type_name("NAME=EXPR")
       ->expected(1)
       ->take_all();
+  app.add_option("--size", arguments.size,
+                 "a size of the script's size tables; all makes one after the other, its files named by the size")
+      ->type_name("NAME");
 }
 
 void triangles_option(CLI::App& app, Arguments& arguments) {
@@ -199,6 +202,14 @@ void build(CLI::App& app, Arguments& arguments) {
       ->expected(0, 1)
       ->type_name("");
   test.add_flag("--update", arguments.update, "write what was found as the new golden files");
+
+  CLI::App& import = subcommand(app, arguments, Task::Import, "import", "Turn another program's pattern into a script",
+                                "toile import skirt_specification.json -o skirt.toile");
+  import.add_option("FILE", arguments.files, "a pattern specification of GarmentCode (JSON)")
+      ->required()
+      ->expected(1)
+      ->type_name("");
+  import.add_option("-o", arguments.outputs, "the script")->required()->type_name("F.toile")->expected(1);
 }
 
 /// The subcommand that was probably meant by the first word of the call.

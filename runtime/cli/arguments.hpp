@@ -11,13 +11,13 @@
 
 namespace toile {
 
-enum class Task { Run, Check, Compile, Draft, Drape, Render, Fmt, Explain, Test };
+enum class Task { Run, Check, Compile, Draft, Drape, Render, Fmt, Explain, Test, Import };
 enum class MessageFormat { Human, Json, Sarif };
 enum class WhenColour { Auto, Always, Never };
 
 struct Arguments {
   Task task = Task::Run;
-  std::vector<std::string> files;  // scripts; for `test`, at most one path
+  std::vector<std::string> files;  // scripts; for `test`, at most one path; for `import`, the foreign file
   std::string code;                // `explain`
 
   // common
@@ -29,6 +29,7 @@ struct Arguments {
 
   // of scripts
   std::vector<Setting> settings;
+  std::string size;
   std::string out;  // `run`
   int triangles = 2500;
   std::string garment, body, fabric;

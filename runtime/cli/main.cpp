@@ -11,7 +11,9 @@
 #include "runtime/driver/explain.hpp"
 #include "runtime/driver/formatting.hpp"
 #include "runtime/driver/golden.hpp"
+#include "runtime/driver/importing.hpp"
 #include "runtime/driver/run.hpp"
+#include "runtime/driver/sizes.hpp"
 
 namespace toile {
 namespace {
@@ -19,6 +21,7 @@ namespace {
 WorkroomOptions workroom_options(const Arguments& arguments) {
   WorkroomOptions options;
   options.settings = arguments.settings;
+  options.size = arguments.size;
   options.out = arguments.out;
   options.triangles = arguments.triangles;
   options.accuracy = arguments.accuracy;
@@ -63,21 +66,31 @@ void carry_out(Workroom& workroom, const Arguments& arguments) {
     case Task::Fmt:
     case Task::Explain:
     case Task::Test:
+    case Task::Import:
       break;  // have no workroom of their own
   }
 }
 
-/// Several scripts (`check`) are gone through one by one; the gravest outcome counts.
+Outcome work_on(const std::string& file, const WorkroomOptions& options, const Arguments& arguments, Console& console,
+                const Job& job) {
+  Workroom workroom(options, console, job);
+  const bool loaded = workroom.load(std::filesystem::path(file));
+  // The tree is lossless and stands for a faulty text too.
+  const bool shows_tree = arguments.task == Task::Compile && arguments.stage == "ast" && !workroom.text().empty();
+  if (loaded || shows_tree) carry_out(workroom, arguments);
+  if (!arguments.profile.empty()) workroom.write(arguments.profile, profile_json(workroom.profile()));
+  return workroom.outcome();
+}
+
+/// Several scripts (`check`) and sizes are gone through one by one; the gravest outcome counts.
 Outcome work_through(const Arguments& arguments, Console& console, const Job& job) {
   Outcome all;
   for (const std::string& file : arguments.files) {
-    Workroom workroom(workroom_options(arguments), console, job);
-    const bool loaded = workroom.load(std::filesystem::path(file));
-    // The tree is lossless and stands for a faulty text too.
-    const bool shows_tree = arguments.task == Task::Compile && arguments.stage == "ast" && !workroom.text().empty();
-    if (loaded || shows_tree) carry_out(workroom, arguments);
-    if (!arguments.profile.empty()) workroom.write(arguments.profile, profile_json(workroom.profile()));
-    all.add(workroom.outcome());
+    for (const WorkroomOptions& options : one_by_size(file, workroom_options(arguments))) {
+      if (options.size_in_names) console.noted("size " + options.size);
+      all.add(work_on(file, options, arguments, console, job));
+      if (all.interrupted) return all;
+    }
   }
   return all;
 }
@@ -90,6 +103,8 @@ Outcome outcome_of(const Arguments& arguments, Console& console, const Job& job)
       return explain(arguments.code, console);
     case Task::Test:
       return test_scripts(arguments.files.empty() ? "." : arguments.files.front(), arguments.update, console, job);
+    case Task::Import:
+      return import_pattern(arguments.files.front(), arguments.outputs.front(), console);
     default:
       return work_through(arguments, console, job);
   }

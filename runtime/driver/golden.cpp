@@ -42,6 +42,8 @@ Directives read_directives(const std::string& script) {
         if (!stage_named(stage)) found.error = line;
         found.stages.push_back(stage);
       }
+    } else if (word == "size") {
+      words >> found.options.size;
     } else if (word == "set") {
       std::string name, expression;
       std::getline(words >> std::ws, name, '=');

@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include "runtime/driver/files.hpp"
+#include "runtime/driver/sizes.hpp"
 #include "runtime/driver/stopwatch.hpp"
 
 namespace toile {
@@ -32,7 +33,7 @@ bool Workroom::load(const std::string& name, std::string text, const std::filesy
   world_ = std::make_unique<FileWorld>(base, name);
   {
     const Stopwatch watch(profile_.compile_s);
-    program_ = toile::load(name, text_, options_.settings, *world_);
+    program_ = toile::load(name, text_, options_.settings, *world_, options_.size);
   }
   pass_on_diagnostics();
   if (world_->missed_a_file()) outcome_.file_failed = true;
@@ -51,8 +52,9 @@ void Workroom::pass_on_diagnostics() {
   for (; passed_on_ < all.size(); ++passed_on_) diagnose(all[passed_on_]);
 }
 
-void Workroom::write(const std::filesystem::path& path, const std::string& bytes) {
+void Workroom::write(const std::filesystem::path& wanted, const std::string& bytes) {
   if (interrupted()) return;
+  const std::filesystem::path path = options_.size_in_names ? name_for_size(wanted, options_.size) : wanted;
   std::string error;
   if (write_file(path, bytes, error)) {
     listener_->wrote(path.string());

@@ -21,6 +21,8 @@ namespace toile {
 
 struct WorkroomOptions {
   std::vector<Setting> settings;
+  std::string size;                   // a row of the script's size tables; empty: each table's own choice
+  bool size_in_names = false;         // of the files written: several sizes are made side by side
   std::filesystem::path out;          // folder of the script's outputs; empty: beside the script
   int triangles = 2500;               // of a garment, about
   std::optional<double> accuracy;     // overrides the script's
@@ -53,7 +55,7 @@ class Workroom {
   std::optional<Draped> drape(const DrapeCommand& command);
 
   /// Writes a whole file unless interrupted.
-  void write(const std::filesystem::path& path, const std::string& bytes);
+  void write(const std::filesystem::path& wanted, const std::string& bytes);
   /// Writes below the output folder for a command of the script.
   void write_below(const std::string& path, const std::string& bytes, Location written);
 

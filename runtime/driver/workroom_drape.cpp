@@ -50,7 +50,8 @@ std::optional<FabricSheet> Workroom::replacement_fabric() {
       "      a = line to (10cm, 0cm)\n      b = line to (10cm, 10cm)\n      c = line to (0cm, 10cm)\n"
       "      d = line to start\n    }}\n  }}\n}}\n",
       *options_.fabric);
-  const std::unique_ptr<Program> probed = toile::load(script_, text_ + probe, options_.settings, *world_);
+  const std::unique_ptr<Program> probed =
+      toile::load(script_, text_ + probe, options_.settings, *world_, options_.size);
   if (!probed->ok()) {
     std::string message = fmt::format("--fabric {}: no such cloth", *options_.fabric);
     std::string help = "name a fabric as the script could: its own, or one of an imported module (fabrics.wool_serge)";
@@ -85,7 +86,8 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   options.threads = options_.threads;
   options.gravity = draped.body != nullptr;
   std::vector<DrapeLevel> levels;
-  for (const CoarseGarment& level : coarse(command.garment, *draped.made)) levels.push_back({&level.mesh, &level.cloth});
+  for (const CoarseGarment& level : coarse(command.garment, *draped.made))
+    levels.push_back({&level.mesh, &level.cloth});
   levels.push_back({&draped.made->mesh, &draped.made->cloth});
   const Garment& garment = draped.made->garment;
   DrapedLevels result = drape_levels(levels, garment.wears, garment.fabric, draped.body.get(), options, job_);

@@ -37,7 +37,7 @@ class Contract : public testing::Test {
 TEST_F(Contract, HelpOfEveryCallHasAnExample) {
   const Called all = call.toile("--help");
   EXPECT_EQ(all.exit_code, 0);
-  for (const char* name : {"run", "check", "compile", "draft", "drape", "render", "fmt", "explain", "test"}) {
+  for (const char* name : {"run", "check", "compile", "draft", "drape", "render", "fmt", "explain", "test", "import"}) {
     EXPECT_THAT(all.out, HasSubstr(name));
     const Called one = call.toile(fmt::format("{} --help", name));
     EXPECT_EQ(one.exit_code, 0) << name;

@@ -85,5 +85,25 @@ TEST_F(Tooling, SarifIsOneLogOfAllFindings) {
   EXPECT_THAT(call.toile("check 'a b.toile' --message-format sarif").err, HasSubstr(R"("executionSuccessful": true)"));
 }
 
+TEST_F(Tooling, ImportWritesAScriptThatPassesTheCheck) {
+  namespace fs = std::filesystem;
+  fs::copy_file(fs::path(TOILE_SOURCE_DIR) / "tests" / "runtime" / "import" / "curves.json",
+                call.scratch / "curves.json");
+  const Called called = call.toile("import curves.json -o new/curves.toile");
+  EXPECT_EQ(called.exit_code, 0);
+  EXPECT_EQ(called.err, "2 pieces, 2 seams\nwrote new/curves.toile\n");
+  EXPECT_EQ(call.toile("check new/curves.toile").exit_code, 0);
+  EXPECT_EQ(call.toile("fmt --check new/curves.toile").exit_code, 0);
+}
+
+TEST_F(Tooling, ImportOfWhatIsNoPatternIsAFailureOfTheFile) {
+  call.scratch.write("a.json", "{\"pattern\": NaN}");
+  const Called called = call.toile("import a.json -o a.toile");
+  EXPECT_EQ(called.exit_code, 4);
+  EXPECT_THAT(called.err, StartsWith("error: a.json: parse error at line 1, column 13"));
+  EXPECT_EQ(call.scratch.files(), 1);
+  EXPECT_EQ(call.toile("import a.json").exit_code, 2);
+}
+
 }  // namespace
 }  // namespace toile

@@ -91,8 +91,23 @@ class RandomScript : private RandomExpression {
     word("of");
     name();
   }
+  void repeat() {
+    word("for");
+    name();
+    put(" in 1..");
+    expression();
+    if (below(2) == 0) {
+      put(" if ");
+      expression();
+    }
+    put(" ");
+    block(0, [this] {
+      word("notch");
+      position();
+    });
+  }
   void detail() {
-    switch (below(8)) {
+    switch (below(9)) {
       case 0:
         word("outline");
         word("from");
@@ -120,6 +135,8 @@ class RandomScript : private RandomExpression {
         return put("...");
       case 6:
         return put("grain down");
+      case 7:
+        return repeat();
       default:
         return let();
     }
@@ -167,6 +184,16 @@ class RandomScript : private RandomExpression {
       expression();
     }
   }
+  void sizes() {
+    word("sizes");
+    name();
+    parameters();
+    put(below(2) == 0 ? " " : " at 38 ");
+    block(0, [this] {
+      word(below(2) == 0 ? "38" : "M");
+      list_of(1, 6);
+    });
+  }
   void body_part() {
     word(below(2) == 0 ? "section" : "limb");
     if (below(2) == 0) word("waist");
@@ -207,7 +234,7 @@ class RandomScript : private RandomExpression {
     expression();
   }
   void file_item() {
-    switch (below(11)) {
+    switch (below(12)) {
       case 0:
         put("import bodies as b");
         break;
@@ -250,6 +277,9 @@ class RandomScript : private RandomExpression {
         break;
       case 9:
         solve();
+        break;
+      case 10:
+        sizes();
         break;
       case 7:
         put("drape skirt on form as worn");

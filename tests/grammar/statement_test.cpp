@@ -131,6 +131,30 @@ TEST(Statement, TextileRows) {
   EXPECT_THAT(script(as<Row>(items(script.only<Textile>())[0])->values()), ElementsAre("8", "#1f3a5f", "2", "#fff"));
 }
 
+TEST(Statement, DetailsUnderFor) {
+  const Script script =
+      in_piece("for i in 1..4 if i != 2 {\n  notch at i * 5cm of side\n  dart at 1cm of hem { }\n}\nfold a");
+  const auto repeat = script.in_piece<Repeat>();
+  EXPECT_EQ(script(repeat.values()->name()), "i");
+  EXPECT_EQ(script(repeat.values()->to()), "4");
+  EXPECT_EQ(script(repeat.values()->condition()), "i != 2");
+  EXPECT_EQ(items(repeat).size(), 2u);
+  EXPECT_EQ(script(script.in_piece<Fold>().edge()), "a");
+}
+
+TEST(Statement, SizesMayBeNumbers) {
+  const Script script("sizes women(waist, height = 168cm) at 38 {\n  38 68cm\n  2XL -2cm, 172cm\n}\nlet sizes = 3\n");
+  const auto sizes = script.only<Sizes>();
+  EXPECT_EQ(script(sizes.name()), "women");
+  EXPECT_EQ(script(sizes.base()), "38");
+  EXPECT_EQ(sizes.measures()->list().size(), 2u);
+  const auto rows = items(sizes);
+  ASSERT_EQ(rows.size(), 2u);
+  EXPECT_EQ(script(as<SizeRow>(rows[0])->name()), "38");
+  EXPECT_EQ(script(as<SizeRow>(rows[1])->name()), "2XL");
+  EXPECT_THAT(script(as<SizeRow>(rows[1])->values()), ElementsAre("-2cm", "172cm"));
+}
+
 TEST(Statement, Bodies) {
   const Script script(
       "body form(waist = 68cm) {\n"

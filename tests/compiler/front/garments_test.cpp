@@ -48,6 +48,30 @@ TEST(Walks, EdgesAreCurvesForLaterLines) {
   EXPECT_DOUBLE_EQ(script.program->garments().at(0).pieces.at(0).notches.at(0).at, 0.05);
 }
 
+TEST(Garments, ForMakesSeveralDetails) {
+  const std::string repeated =
+      "    for i in 1..4 if i != 3 {\n      notch at i * 2cm of south\n    }\n"
+      "    for w in [1cm, 2cm] {\n      dart tuck at w * 3 of north { width w, depth 2cm }\n    }\n";
+  const Script script(with_piece(square + repeated));
+  ASSERT_THAT(script.told(), IsEmpty());
+  const auto& piece = script.program->garments().at(0).pieces.at(0);
+  ASSERT_EQ(piece.notches.size(), 3u);
+  EXPECT_DOUBLE_EQ(piece.notches.at(2).at, 0.08);
+  const std::string pattern = emit_pattern(*script.program);
+  EXPECT_THAT(pattern, AllOf(HasSubstr("dart tuck1 "), HasSubstr("dart tuck2 ")));
+}
+
+TEST(Garments, ForTellsWhatIsWrong) {
+  const auto told = [](const std::string& values) {
+    return Script(with_piece(square + "    for i in " + values + " {\n      notch at i * 6cm of south\n    }\n"))
+        .told();
+  };
+  EXPECT_THAT(told("1..0"), IsEmpty());
+  EXPECT_THAT(told("1..2"), ElementsAre(StartsWith("E0209")));
+  EXPECT_THAT(told("7"), ElementsAre(StartsWith("E0202")));
+  EXPECT_THAT(told("1..1.5"), ElementsAre(StartsWith("E0202")));
+}
+
 TEST(Walks, AnEdgeYieldsToAMeasureOfItsName) {
   const Script script("let south = 10cm\n" +
                       with_piece("    let whole = length(south) + south\n    outline from (0cm, 0cm) {\n"

@@ -65,6 +65,7 @@ Codes codes_of(const std::string& script) {
     run |= word == "run";
     std::getline(words >> std::ws, name, word == "file" ? ':' : '=');
     std::getline(words >> std::ws, rest);
+    if (word == "size") options.size = name;
     if (word == "set") options.settings.push_back({name, rest});
     if (word == "file") scratch.write(name, rest + "\n");
   }

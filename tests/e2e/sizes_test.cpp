@@ -1,0 +1,50 @@
+// `--size`, called as a person would.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include "tests/e2e/call.hpp"
+
+namespace toile {
+namespace {
+
+using testing::HasSubstr;
+
+const char* const flag = R"(sizes flags(width) {
+  S 20cm
+  L 80cm
+}
+param width = flags.width
+garment flag {
+  piece cloth {
+    outline from (0cm, 0cm) {
+      foot = line to (width, 0cm)
+      fly  = line to (0cm, 10cm)
+      head = line to start
+    }
+  }
+}
+print flags.size, width
+)";
+
+TEST(SizesOnTheCommandLine, OneOrAllOfThem) {
+  const CommandLine call;
+  call.scratch.write("flag.toile", flag);
+  EXPECT_EQ(call.toile("run flag.toile --size L").out, "L 80 cm\n");
+  EXPECT_EQ(call.toile("run flag.toile --size L --set width=75cm").out, "L 75 cm\n");
+  EXPECT_EQ(call.toile("run flag.toile --size all").out, "S 20 cm\nL 80 cm\n");
+  EXPECT_EQ(call.toile("draft flag.toile -o flag.svg --size all").exit_code, 0);
+  EXPECT_FALSE(call.scratch.read("flag-S.svg").empty());
+  EXPECT_FALSE(call.scratch.read("flag-L.svg").empty());
+}
+
+TEST(SizesOnTheCommandLine, AnUnknownOneIsAnErrorOfTheScript) {
+  const CommandLine call;
+  call.scratch.write("flag.toile", flag);
+  const Called called = call.toile("check flag.toile --size XL");
+  EXPECT_EQ(called.exit_code, 1);
+  EXPECT_THAT(called.err, HasSubstr("error[E0118]: `flags` has no size `XL`"));
+  EXPECT_THAT(called.err, HasSubstr("did you mean `L`?"));
+}
+
+}  // namespace
+}  // namespace toile
