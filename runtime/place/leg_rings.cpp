@@ -7,7 +7,7 @@
 namespace toile {
 namespace {
 
-constexpr int directions = 72;
+constexpr int directions_about = 72;
 constexpr double level_step = 0.01;  // [m] between rings
 constexpr double farthest = 0.5;     // [m] from the middle to the skin
 
@@ -37,10 +37,10 @@ LegRings::LegRings(const Body& body, const LegFrame& frame, const std::vector<Di
     } else {
       rings_.push_back(measured(body, middle));
       Vec3 sum;  // about its own middle: a ring that is drawn from aside is drawn again
-      for (int k = 0; k < directions; ++k) {
-        sum += rings_.back().radius[k] * frame.outwards(static_cast<double>(k) / directions);
+      for (int k = 0; k < directions_about; ++k) {
+        sum += rings_.back().radius[k] * frame.outwards(static_cast<double>(k) / directions_about);
       }
-      middle += sum / static_cast<double>(directions);
+      middle += sum / static_cast<double>(directions_about);
       rings_.back() = measured(body, middle);
     }
     middle += level_step * frame.axis;
@@ -60,8 +60,8 @@ double LegRings::room(Vec3 middle, Vec3 direction) const {
 // From the middle outwards to where the body is left, by steps no longer than the distance to the skin.
 LegRings::Ring LegRings::measured(const Body& body, Vec3 middle) const {
   Ring ring{middle, {}};
-  for (int k = 0; k < directions; ++k) {
-    const Vec3 direction = frame_.outwards(static_cast<double>(k) / directions);
+  for (int k = 0; k < directions_about; ++k) {
+    const Vec3 direction = frame_.outwards(static_cast<double>(k) / directions_about);
     const double most = room(middle, direction);
     double radius = 0;
     while (radius < most) {
@@ -85,10 +85,10 @@ double LegRings::fraction_of(Vec3 p) const {
 }
 
 Vec3 LegRings::on_ring(const Ring& ring, double fraction, double slack) const {
-  const double x = (fraction - std::floor(fraction)) * directions;
-  const int k = static_cast<int>(x) % directions;
+  const double x = (fraction - std::floor(fraction)) * directions_about;
+  const int k = static_cast<int>(x) % directions_about;
   const double t = x - std::floor(x);
-  const double radius = (1 - t) * ring.radius[k] + t * ring.radius[(k + 1) % directions];
+  const double radius = (1 - t) * ring.radius[k] + t * ring.radius[(k + 1) % directions_about];
   const Vec3 direction = frame_.outwards(fraction);
   return ring.middle + std::min(radius + slack, room(ring.middle, direction)) * direction;
 }
@@ -104,9 +104,9 @@ Vec3 LegRings::at(double level, double fraction, double slack) const {
 double LegRings::girth(double level) const {
   const Ring& ring = rings_[index(level)];
   double sum = 0;
-  for (int k = 0; k < directions; ++k) {
-    sum += distance(on_ring(ring, static_cast<double>(k) / directions, 0),
-                    on_ring(ring, static_cast<double>(k + 1) / directions, 0));
+  for (int k = 0; k < directions_about; ++k) {
+    sum += distance(on_ring(ring, static_cast<double>(k) / directions_about, 0),
+                    on_ring(ring, static_cast<double>(k + 1) / directions_about, 0));
   }
   return sum;
 }

@@ -74,7 +74,7 @@ TEST(Report, SameDrapeSameBytes) {
 }
 
 TEST(Report, SurvivesNamesThatAreNoText) {
-  EXPECT_NO_THROW(OrderedJson::parse(report_json("caf\xe9.toile", draped_tube().view())));
+  EXPECT_TRUE(OrderedJson::accept(report_json("caf\xe9.toile", draped_tube().view())));
 }
 
 TEST(Summary, MeasuresTheMeshInThePattern) {
