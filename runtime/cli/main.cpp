@@ -113,7 +113,7 @@ Outcome outcome_of(const Arguments& arguments, Console& console, const Job& job)
 int toile_main(int argc, const char* const* argv) {
   const std::variant<Arguments, int> read = read_arguments(argc, argv);
   if (const int* code = std::get_if<int>(&read)) return *code;
-  const Arguments& arguments = std::get<Arguments>(read);
+  const auto& arguments = std::get<Arguments>(read);
   const ThreadLimit limit(arguments.threads);
   Console console(arguments);
   Job job;

@@ -10,6 +10,7 @@ struct ThreadLimit::Control {
 
 ThreadLimit::ThreadLimit(int threads) {
   if (threads <= 0) return;
+  // NOLINTNEXTLINE(modernize-make-unique): an aggregate, which make_unique cannot brace before clang 16
   control_.reset(new Control{{tbb::global_control::max_allowed_parallelism, static_cast<std::size_t>(threads)}});
 }
 

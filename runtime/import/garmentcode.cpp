@@ -114,7 +114,7 @@ class Reader {
       if (!(units_in_metre_ >= 1e-3 && units_in_metre_ <= 1e6)) refuse("", "\"units_in_meter\" is no unit of length");
     }
     if (const std::string frame = member_text(*properties, "curvature_coords"); !frame.empty() && frame != "relative") {
-      refuse("", fmt::format("\"curvature_coords\" are \"{}\"; only \"relative\" ones are read", frame));
+      refuse("", fmt::format(R"("curvature_coords" are "{}"; only "relative" ones are read)", frame));
     }
   }
 
@@ -182,7 +182,7 @@ class Reader {
     const std::string type = member_text(json, "type");
     const Json& params = list(member(json, "params", where), 3, "\"params\"", where);
     const auto has = [&](std::size_t count) {
-      if (params.size() != count) refuse(where, fmt::format("a \"{}\" curve has {} \"params\"", type, count));
+      if (params.size() != count) refuse(where, fmt::format(R"(a "{}" curve has {} "params")", type, count));
     };
     if (type == "quadratic") {
       has(1);

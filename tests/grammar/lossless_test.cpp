@@ -43,7 +43,7 @@ TEST(Lossless, OddTexts) {
                                   "\xff\xfe"s,
                                   "// \x80\nlet \xC3\xA9 = 1"s,
                                   "\""s,
-                                  "\"\\"s,
+                                  R"("\)"s,
                                   "#"s,
                                   "}"s,
                                   "}}}{{{"s,

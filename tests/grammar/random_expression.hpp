@@ -24,7 +24,8 @@ class RandomExpression {
   void put(std::string_view token) { text_ += token; }
   /// Blanks, at least one where words would run together.
   void gap(int least = 1) {
-    text_.append(static_cast<std::size_t>(least + (layout_below(4) == 0 ? layout_below(3) : 0)), ' ');
+    text_.append(
+        static_cast<std::size_t>(least) + (layout_below(4) == 0 ? static_cast<std::size_t>(layout_below(3)) : 0), ' ');
   }
   void may_gap() { gap(brackets_ > 0 && layout_below(8) == 0 ? (line_end(), 0) : 0); }
   void line_end() {
@@ -134,7 +135,7 @@ class RandomExpression {
     close(')');
   }
   void text() {
-    put("\"a text, \\\" and // no comment");
+    put(R"("a text, \" and // no comment)");
     for (int n = below(3); n > 0; --n) {
       put(" {");
       gap(0);

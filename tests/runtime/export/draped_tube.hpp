@@ -102,8 +102,8 @@ inline DrapedTube draped_tube(int folds = 0, double wave = 0) {
   }
   std::vector<std::pair<int, int>> sides;
   for (int row = 0; row <= kRows; ++row) {
-    sides.push_back({point(0, kColumns, row), point(1, 0, row)});
-    sides.push_back({point(0, 0, row), point(1, kColumns, row)});
+    sides.emplace_back(point(0, kColumns, row), point(1, 0, row));
+    sides.emplace_back(point(0, 0, row), point(1, kColumns, row));
   }
   tube.mesh.s = sewn(p, sides);
   tube.mesh.s.topology.boundary_loops = 2;

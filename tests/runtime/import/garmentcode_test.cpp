@@ -108,7 +108,7 @@ TEST(GarmentCode, NamesTheStitchOfAMistake) {
       {"3", "stitches are no list"},
       {R"([[{"panel": "q", "edge": 0}, {}]])", "stitch 0: there is no panel \"q\""},
       {R"([[{"panel": "p", "edge": 3}, {}]])", "stitch 0, panel \"p\": there is no edge 3"},
-      {R"([[{"panel": "p"}, {}]])", "stitch 0, panel \"p\": there is no \"edge\""},
+      {R"([[{"panel": "p"}, {}]])", R"(stitch 0, panel "p": there is no "edge")"},
       {R"([[{"panel": "p", "edge": 0}, {"panel": "p", "edge": 1}, "glue"]])", "is not \"right_wrong\""},
   };
   for (const auto& [stitches, why] : cases) EXPECT_THAT(error_of(triangle("", stitches)), HasSubstr(why));

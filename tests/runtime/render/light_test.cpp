@@ -109,9 +109,10 @@ TEST(Samples, DirectionsFollowTheirAxis) {
 std::vector<Pixel> wall() {
   std::vector<Pixel> pixels(kSize * kSize);
   for (int i = 0; i < kSize * kSize; ++i) {
+    const int column = i % kSize, row = i / kSize;
     Pixel& p = pixels[static_cast<std::size_t>(i)];
     p.normal = {0, -1, 0};
-    p.position = {0.01f * static_cast<float>(i % kSize), 0, 0.01f * static_cast<float>(i / kSize)};
+    p.position = {0.01f * static_cast<float>(column), 0, 0.01f * static_cast<float>(row)};
     p.cloth = 1;
     p.light = {0.5f, 0.5f, 0.5f};
   }
@@ -123,7 +124,7 @@ TEST(Denoise, TakesNoiseAwayAndKeepsAShadowsEdge) {
   const SampleTable noise(kSize);
   for (int y = 0; y < kSize; ++y) {
     for (int x = 0; x < kSize; ++x) {
-      Pixel& p = pixels[static_cast<std::size_t>(y * kSize + x)];
+      Pixel& p = pixels[static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)];
       const auto jitter = static_cast<float>(0.1 * (noise.at(SampleTable::pixel_seed(x, y), x, Purpose::Dome).x - 0.5));
       const float level = (x < kSize / 2 ? 0.2f : 1.0f) + jitter;
       p.light = {level, level, level};
@@ -134,7 +135,8 @@ TEST(Denoise, TakesNoiseAwayAndKeepsAShadowsEdge) {
   for (int y = 8; y < kSize - 8; ++y) {
     for (int x = 8; x < kSize - 8; ++x) {
       const float truth = x < kSize / 2 ? 0.2f : 1.0f;
-      EXPECT_NEAR(pixels[static_cast<std::size_t>(y * kSize + x)].light[0], truth, 0.035) << x << ' ' << y;
+      EXPECT_NEAR(pixels[static_cast<std::size_t>(y) * kSize + static_cast<std::size_t>(x)].light[0], truth, 0.035)
+          << x << ' ' << y;
     }
   }
 }

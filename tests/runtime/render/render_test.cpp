@@ -39,7 +39,9 @@ Field ramp(const Cloth& cloth, bool diverging) {
 bool is_picture(const Image& image, const RenderOptions& options) {
   const std::set<std::uint8_t> levels(image.rgb.begin(), image.rgb.end());
   return image.width == options.width && image.height == options.height &&
-         image.rgb.size() == static_cast<std::size_t>(3 * options.width * options.height) && levels.size() > 1;
+         image.rgb.size() ==
+             std::size_t{3} * static_cast<std::size_t>(options.width) * static_cast<std::size_t>(options.height) &&
+         levels.size() > 1;
 }
 
 TEST(Render, DoesNotDependOnTheNumberOfThreads) {
