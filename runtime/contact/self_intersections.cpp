@@ -3,6 +3,7 @@
 #include <CGAL/Exact_predicates_inexact_constructions_kernel.h>
 #include <CGAL/box_intersection_d.h>
 
+#include <algorithm>
 #include <array>
 #include <cmath>
 #include <cstddef>
@@ -15,6 +16,7 @@ using Kernel = CGAL::Exact_predicates_inexact_constructions_kernel;
 using Box = CGAL::Box_intersection_d::Box_with_info_d<double, 3, std::size_t>;
 
 struct Face {
+  int number = 0;
   std::array<int, 3> vertices{};
   Kernel::Triangle_3 triangle;
 
@@ -29,7 +31,8 @@ bool is_finite(Vec3 p) {
 std::vector<Face> faces_of(const Cloth& cloth, const std::vector<Vec3>& positions) {
   std::vector<Face> faces;
   faces.reserve(cloth.triangles.size());
-  for (const ClothTriangle& triangle : cloth.triangles) {
+  for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+    const ClothTriangle& triangle = cloth.triangles[t];
     std::array<Kernel::Point_3, 3> corners;
     bool sound = true;
     for (std::size_t i = 0; i < 3; ++i) {
@@ -38,7 +41,7 @@ std::vector<Face> faces_of(const Cloth& cloth, const std::vector<Vec3>& position
       if (sound) corners[i] = {p.x, p.y, p.z};
     }
     if (!sound || CGAL::collinear(corners[0], corners[1], corners[2])) continue;
-    faces.push_back({triangle.vertices, {corners[0], corners[1], corners[2]}});
+    faces.push_back({static_cast<int>(t), triangle.vertices, {corners[0], corners[1], corners[2]}});
   }
   return faces;
 }
@@ -75,16 +78,22 @@ bool meet(const Face& first, const Face& second) {
 
 }  // namespace
 
-int intersecting_triangle_pairs(const Cloth& cloth, const std::vector<Vec3>& positions) {
+std::vector<std::array<int, 2>> intersecting_triangles(const Cloth& cloth, const std::vector<Vec3>& positions) {
   const std::vector<Face> faces = faces_of(cloth, positions);
   std::vector<Box> boxes;
   boxes.reserve(faces.size());
   for (std::size_t i = 0; i < faces.size(); ++i) boxes.emplace_back(faces[i].triangle.bbox(), i);
-  int pairs = 0;
+  std::vector<std::array<int, 2>> pairs;
   CGAL::box_self_intersection_d(boxes.begin(), boxes.end(), [&](const Box& a, const Box& b) {
-    if (meet(faces[a.info()], faces[b.info()])) ++pairs;
+    const Face &first = faces[std::min(a.info(), b.info())], &second = faces[std::max(a.info(), b.info())];
+    if (meet(first, second)) pairs.push_back({first.number, second.number});
   });
+  std::sort(pairs.begin(), pairs.end());
   return pairs;
+}
+
+int intersecting_triangle_pairs(const Cloth& cloth, const std::vector<Vec3>& positions) {
+  return static_cast<int>(intersecting_triangles(cloth, positions).size());
 }
 
 }  // namespace toile

@@ -15,6 +15,7 @@ Vector gradient_of(const ClothState& state) {
   state.elastic.energy(state.q, &gradient);
   if (state.gravity != nullptr) state.gravity->energy(state.q, &gradient);
   if (state.contact != nullptr) state.contact->energy(state.q, &gradient);
+  if (state.layers != nullptr) state.layers->energy(state.q, &gradient);
   return gradient;
 }
 
@@ -32,6 +33,7 @@ Energies energies(const ClothState& state) {
     energies.contact = forces.normal_energy;
     energies.friction = forces.friction_energy;
   }
+  if (state.layers != nullptr) energies.self_contact = state.layers->energy(state.q, nullptr);
   return energies;
 }
 

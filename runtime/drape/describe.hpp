@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "runtime/contact/body_contact.hpp"
+#include "runtime/contact/self_contact.hpp"
 #include "runtime/drape/drape.hpp"
 #include "runtime/energy/elastic.hpp"
 #include "runtime/energy/gravity.hpp"
@@ -18,6 +19,7 @@ struct ClothState {
   const ElasticForm& elastic;
   const GravityForm* gravity;  // null: weightless
   const BodyContact* contact;  // null: no body
+  const SelfContact* layers;   // null: it may pass through itself
   const std::vector<int>& reduced;
   const Vector& q;
 };

@@ -5,6 +5,9 @@
 #include <memory>
 
 #include "runtime/contact/body_contact.hpp"
+#include "runtime/contact/self_contact.hpp"
+#include "runtime/contact/self_intersections.hpp"
+#include "runtime/contact/untangle.hpp"
 #include "runtime/drape/describe.hpp"
 #include "runtime/energy/elastic.hpp"
 #include "runtime/energy/gravity.hpp"
@@ -15,7 +18,9 @@
 namespace toile {
 namespace {
 
-constexpr double carried_rate = 30;  // [1/s2] a form that was carried over needs little holding back
+constexpr double untangling_rate = 1e4;   // [1/s2] how far a push against a crossing spreads
+constexpr double untangling_step = 0.05;  // of the mean edge
+constexpr double carried_rate = 30;       // [1/s2] a form that was carried over needs little holding back
 
 std::vector<int> reduced_unknowns(const ClothUnknowns& unknowns, const std::vector<int>& held) {
   std::vector<int> reduced(static_cast<std::size_t>(unknowns.count()), 0);
@@ -53,10 +58,11 @@ class Draping {
   Draping(const Cloth& cloth, const FabricSheet& fabric, const Body* body, const Placed& start,
           const DrapeOptions& options)
       : cloth_(cloth),
-        law_(make_law(fabric)),
+        law_(softened(make_law(fabric), options.membrane)),
         options_(options),
         elastic_(cloth, law_),
         gravity_(vertex_masses(cloth, law_.weight)),
+        layers_(cloth, std::max(law_.thickness, options.least_gap), law_.pressure),
         matrix_(reduced_unknowns(elastic_.unknowns(), start.held), elastic_.couplings()) {
     elastic_.prepare(matrix_);
     if (body != nullptr) {
@@ -76,6 +82,8 @@ class Draping {
 
  private:
   bool weighs() const { return options_.gravity; }
+  /// The paper's method moves every variable by itself and knows nothing of crossings.
+  bool layered() const { return options_.solver == DrapeOptions::Solver::Newton; }
   double mean_edge() const {
     return std::sqrt(4 / std::sqrt(3.0) * cloth_.area /
                      static_cast<double>(std::max<std::size_t>(cloth_.triangles.size(), 1)));
@@ -84,6 +92,10 @@ class Draping {
   std::vector<double> inertia() const;
   double scale(const Vector& q) const { return std::max(weight_per_vertex_, elastic_.mean_internal_force(q)); }
   double relative_residual(const Vector& gradient, const Vector& q) const;
+  /// Out of the crossings of the start, which contact would keep.
+  void untangle(const Job& job);
+  /// Gives the matrix places for the layers that touch at q.
+  void fit(const Vector& q);
   NewtonOutcome solve_newton(const Job& job);
   NewtonOutcome solve_okabe(const Job& job);
 
@@ -93,6 +105,7 @@ class Draping {
   ElasticForm elastic_;
   GravityForm gravity_;
   std::unique_ptr<BodyContact> contact_;
+  SelfContact layers_;
   SparseMatrix matrix_;
   Cholesky cholesky_;
   double stiffness_ = 0;
@@ -104,6 +117,7 @@ std::vector<Form*> Draping::forms() {
   std::vector<Form*> forms{&elastic_};
   if (weighs()) forms.push_back(&gravity_);
   if (contact_) forms.push_back(contact_.get());
+  if (layered()) forms.push_back(&layers_);
   return forms;
 }
 
@@ -124,14 +138,36 @@ double Draping::relative_residual(const Vector& gradient, const Vector& q) const
   return std::max(largest.force, largest.moment / mean_edge()) / scale;
 }
 
+void Draping::untangle(const Job& job) {
+  const auto readily = [this](const Vector& force) {
+    matrix_.set_zero();
+    elastic_.add_hessian(q_, Curvature::PositiveDefinite, matrix_);
+    matrix_.add_diagonal(inertia(), untangling_rate);
+    return cholesky_.factorise(matrix_) ? cholesky_.solve_free(matrix_, force) : force;
+  };
+  toile::untangle(cloth_, readily, untangling_step * mean_edge(), job, q_);
+}
+
+void Draping::fit(const Vector& q) {
+  if (layers_.fits(q, matrix_)) return;
+  std::vector<std::vector<int>> couplings = elastic_.couplings();
+  const std::vector<std::vector<int>> touching = layers_.couplings(q);
+  couplings.insert(couplings.end(), touching.begin(), touching.end());
+  matrix_ = SparseMatrix(matrix_.reduced(), couplings);
+  elastic_.prepare(matrix_);
+  cholesky_.analyse(matrix_);
+}
+
 NewtonOutcome Draping::solve_newton(const Job& job) {
   cholesky_.analyse(matrix_);
+  untangle(job);
   NewtonProblem problem{forms(),
                         &matrix_,
                         &cholesky_,
                         inertia(),
                         3 * cloth_.vertex_count,
-                        [this](const Vector& gradient, const Vector& q) { return relative_residual(gradient, q); }};
+                        [this](const Vector& gradient, const Vector& q) { return relative_residual(gradient, q); },
+                        [this](const Vector& q) { fit(q); }};
   if (contact_) contact_->set_stiffness(stiffness_);
   NewtonOptions newton_options{.tolerance = options_.accuracy, .max_iterations = options_.max_iterations};
   if (options_.carried_over) newton_options.rate = carried_rate;
@@ -172,13 +208,14 @@ NewtonOutcome Draping::solve_okabe(const Job& job) {
 
 Drape Draping::run(const Job& job) {
   const NewtonOutcome outcome = options_.solver == DrapeOptions::Solver::Okabe ? solve_okabe(job) : solve_newton(job);
-  Drape drape =
-      describe({cloth_, law_, elastic_, weighs() ? &gravity_ : nullptr, contact_.get(), matrix_.reduced(), q_});
+  Drape drape = describe({cloth_, law_, elastic_, weighs() ? &gravity_ : nullptr, contact_.get(),
+                          layered() ? &layers_ : nullptr, matrix_.reduced(), q_});
   drape.converged = outcome.converged;
   drape.cancelled = outcome.cancelled;
   drape.iterations = outcome.iterations;
   drape.factorisations = cholesky_.factorisations();
   drape.residual_relative = outcome.residual;
+  drape.crossing_pairs = intersecting_triangle_pairs(cloth_, drape.positions);
   drape.trouble = trouble(drape);
   return drape;
 }

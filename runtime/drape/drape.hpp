@@ -20,6 +20,9 @@ struct DrapeOptions {
   bool gravity = true;   // off where there is no body
   bool friction = true;  // off while a garment that is held somewhere falls
   int max_iterations = 1500;
+  double least_gap =
+      0;                // [m] of layers of the cloth where its thickness is less: a finer mesh will have to fit between
+  double membrane = 1;  // share of its forces of elongation and shear: a coarse mesh locks with all of them
   bool carried_over = false;  // the start is a form already draped on another mesh, near rest
 };
 
@@ -50,6 +53,7 @@ struct Contact {
 struct Drape {
   std::vector<Vec3> positions;
   std::vector<double> edge_rotations;  // [rad], one an edge of the S-mesh
+  int crossing_pairs = 0;              // of triangles, of the cloth with itself; 0 unless it cannot be otherwise
   bool converged = false;
   bool cancelled = false;
   std::string trouble;  // what did not come to rest, in words; empty when converged

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <chrono>
+#include <cmath>
 
 #include "runtime/drape/carry_over.hpp"
 
@@ -9,6 +10,10 @@ namespace toile {
 namespace {
 
 constexpr double coarse_accuracy = 1e-2;  // of every level but the last
+// Of the forces of elongation and shear, a level: folds of a coarse mesh lock in dimples with all of them
+// (docs/mechanics.md).
+constexpr double coarse_membrane = 0.1;
+constexpr double coarse_gap = 0.15;  // of the mean edge: a finer mesh fits between layers that far apart
 constexpr int coarsest_triangles = 250;
 constexpr int ratio = 4;  // of the triangles of neighbouring levels
 
@@ -19,6 +24,11 @@ std::vector<Worn> worn_lines(const SewnMesh& mesh, const std::vector<Wear>& wear
     worn.push_back({&line, wear.line, wear.held, wear.from});
   }
   return worn;
+}
+
+double mean_edge(const Cloth& cloth) {
+  return std::sqrt(4 / std::sqrt(3.0) * cloth.area /
+                   static_cast<double>(std::max<std::size_t>(cloth.triangles.size(), 1)));
 }
 
 double seconds() {
@@ -59,7 +69,11 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vect
     }
     // What is held somewhere is shaken free of accidental creases first: friction would keep them.
     own.friction = options.friction && (level + 1 == levels.size() || placed.held.empty());
-    if (level + 1 < levels.size()) own.accuracy = std::max(options.accuracy, coarse_accuracy);
+    if (level + 1 < levels.size()) {
+      own.accuracy = std::max(options.accuracy, coarse_accuracy);
+      own.membrane = std::pow(coarse_membrane, static_cast<double>(levels.size() - 1 - level));
+      own.least_gap = coarse_gap * mean_edge(*at.cloth);
+    }
     const double ready = seconds();
     result.drape = drape(*at.cloth, fabric, body, placed, own, job);
     result.place_seconds += ready - started;

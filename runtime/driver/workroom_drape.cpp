@@ -117,6 +117,13 @@ void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
                     100 * result.contact.weight_error, 1000 * result.contact.max_penetration_m);
   }
   listener_->noted(line);
+  if (result.crossing_pairs > 0) {
+    diagnose(at_place(Severity::Warning, "W0510", command.written,
+                      fmt::format("{} passes through itself: {} pairs of triangles cross", draped.made->garment.name,
+                                  result.crossing_pairs),
+                      "draped here",
+                      "the cloth starts crossed and cannot come apart; see whether its seams are sewn the right way"));
+  }
   if (!result.converged) {
     outcome_.unsettled = true;
     diagnose(at_place(Severity::Warning, "W0509", command.written,

@@ -7,9 +7,6 @@
 
 namespace toile {
 
-using Vector12 = Eigen::Matrix<double, 12, 1>;
-using Matrix12 = Eigen::Matrix<double, 12, 12>;
-
 /// Points x0, x1 of the edge, x2 opposite in the triangle (x0, x1, x2), x3 opposite in (x1, x0, x3).
 using Hinge = std::array<Vector3, 4>;
 

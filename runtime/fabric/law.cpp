@@ -26,6 +26,12 @@ double exponent_of_linearity(double lt) {
   return 0.5 * (low + high);
 }
 
+/// The scale of the barrier between two layers that presses them to `share` of T0 under the plate that measures Tm.
+double layer_pressure(double share) {
+  const double y = std::clamp(share, 0.3, 0.95), rest = 1 - y;
+  return 4.9e3 / (-2 * rest * std::log(y) + rest * rest / y);
+}
+
 }  // namespace
 
 ElongationLaw ElongationLaw::linear(double stiffness) {
@@ -97,6 +103,20 @@ ShearLaw ShearLaw::linear(double stiffness) {
   return {stiffness, 0, 0, 0};
 }
 
+ElongationLaw ElongationLaw::softened(double share) const {
+  ElongationLaw soft = *this;
+  for (double* part : {&soft.initial_, &soft.compression_, &soft.scale_, &soft.shift_force_, &soft.shift_energy_}) {
+    *part *= share;
+  }
+  return soft;
+}
+
+ShearLaw ShearLaw::softened(double share) const {
+  ShearLaw soft = *this;
+  for (double* part : {&soft.stiffness_, &soft.step_, &soft.slope_}) *part *= share;
+  return soft;
+}
+
 Density ShearLaw::operator()(double angle) const {
   const double root = std::hypot(angle, shear_smoothing);
   Density density{0.5 * stiffness_ * angle * angle + step_ * (root - shear_smoothing),
@@ -124,6 +144,14 @@ Density BendingLaw::operator()(double curvature) const {
           rigidity + friction * smoothing_curvature * smoothing_curvature / (root * root * root)};
 }
 
+FabricLaw softened(const FabricLaw& law, double share) {
+  FabricLaw soft = law;
+  soft.warp = law.warp.softened(share);
+  soft.weft = law.weft.softened(share);
+  soft.shear = law.shear.softened(share);
+  return soft;
+}
+
 FabricLaw make_law(const FabricSheet& sheet) {
   const WarpWeft emt = sheet.emt.value_or(WarpWeft{0.05, 0.05});
   const WarpWeft lt = sheet.lt.value_or(WarpWeft{0.65, 0.65});
@@ -144,6 +172,7 @@ FabricLaw make_law(const FabricSheet& sheet) {
       .twist = sheet.twist.value_or(0.5 * std::sqrt(b.warp * b.weft)),
       .weight = sheet.weight.value_or(0),
       .thickness = sheet.t0.value_or(0.0005),
+      .pressure = layer_pressure(sheet.t0 && sheet.tm ? *sheet.tm / *sheet.t0 : 0.7),
       .friction = sheet.miu.value_or(0.2),
   };
 }

@@ -22,6 +22,8 @@ class ElongationLaw {
   static ElongationLaw linear(double stiffness);  // [N/m]
 
   Density operator()(double strain) const;
+  /// The same with so much of its force.
+  ElongationLaw softened(double share) const;
   double initial_stiffness() const { return initial_; }
 
  private:
@@ -43,6 +45,8 @@ class ShearLaw {
   ShearLaw(double stiffness, double hysteresis_half_degree, double hysteresis_five_degrees, double locking_angle);
   Density operator()(double angle) const;
   static ShearLaw linear(double stiffness);
+  /// The same with so much of its force.
+  ShearLaw softened(double share) const;
 
  private:
   double stiffness_ = 0;  // [N/m per rad]
@@ -65,10 +69,14 @@ struct FabricLaw {
   double twist = 0;      // D66 [N m]
   double weight = 0;     // [kg/m2]
   double thickness = 0;  // [m]
+  double pressure = 0;   // [Pa] scale of what presses two layers together, see SelfContact
   double friction = 0;   // [1] against the body
 };
 
 /// Missing rows take the class values of docs/mechanics.md (weight and bending are asked for by the compiler).
 FabricLaw make_law(const FabricSheet& sheet);
+
+/// The same cloth, but with so much of its forces of elongation and shear.
+FabricLaw softened(const FabricLaw& law, double share);
 
 }  // namespace toile

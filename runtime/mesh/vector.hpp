@@ -11,6 +11,8 @@ namespace toile {
 using Vector = Eigen::VectorXd;
 using Vector3 = Eigen::Vector3d;
 using Matrix3 = Eigen::Matrix3d;
+using Vector12 = Eigen::Matrix<double, 12, 1>;
+using Matrix12 = Eigen::Matrix<double, 12, 12>;
 
 inline Vector3 to_eigen(Vec3 v) {
   return {v.x, v.y, v.z};

@@ -80,4 +80,18 @@ Vector Cholesky::solve(const Vector& right) const {
   return solution;
 }
 
+Vector Cholesky::solve_free(const SparseMatrix& matrix, const Vector& right) const {
+  const std::vector<int>& reduced = matrix.reduced();
+  Vector free(matrix.rows());
+  for (std::size_t i = 0; i < reduced.size(); ++i) {
+    if (reduced[i] >= 0) free[reduced[i]] = right[static_cast<Eigen::Index>(i)];
+  }
+  const Vector solution = solve(free);
+  Vector all = Vector::Zero(right.size());
+  for (std::size_t i = 0; i < reduced.size(); ++i) {
+    if (reduced[i] >= 0) all[static_cast<Eigen::Index>(i)] = solution[reduced[i]];
+  }
+  return all;
+}
+
 }  // namespace toile

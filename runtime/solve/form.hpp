@@ -14,6 +14,8 @@ class Form {
   virtual double energy(const Vector& q, Vector* gradient) const = 0;
   /// Adds second derivatives. The couplings must be among those the matrix was built for.
   virtual void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const = 0;
+  /// How much of the step can be gone while the energy stays defined: in (0, 1].
+  virtual double free_fraction(const Vector& /*q*/, const Vector& /*step*/) const { return 1; }
   /// The solver has come to rest at q for this step: history (unwrapped angles, anchors of friction) moves on.
   virtual void accept(const Vector& /*q*/) {}
 };

@@ -24,11 +24,11 @@ class Newton {
   double evaluate(const Vector& q, Vector* gradient) const;
   bool factorise();
   bool factorise(Curvature curvature, double rate);
-  Vector solve(const Vector& force) const;
   double longest(const Vector& step) const;
   Vector direction() const;
   /// The accepted fraction of the step, 0 when none decreases the energy.
   double search(const Vector& step);
+  double free_fraction(const Vector& step) const;
   /// Doubles an accepted step while the energy goes on falling.
   void lengthen(const Vector& step, double energy, double slope);
   void settle();
@@ -68,6 +68,7 @@ bool Newton::factorise(Curvature curvature, double rate) {
 }
 
 bool Newton::factorise() {
+  if (problem_.fit) problem_.fit(q_);
   // The true Hessian, lifted just so far that it is definite, goes along the soft folds of the cloth; where that would
   // take too much lifting, its positive-definite part makes the better step, and the true one is left in peace for a
   // while.
@@ -90,20 +91,6 @@ bool Newton::factorise() {
   return factorise(Curvature::PositiveDefinite, rate_);
 }
 
-Vector Newton::solve(const Vector& force) const {
-  const std::vector<int>& reduced = problem_.matrix->reduced();
-  Vector right(problem_.matrix->rows());
-  for (std::size_t i = 0; i < reduced.size(); ++i) {
-    if (reduced[i] >= 0) right[reduced[i]] = force[static_cast<Eigen::Index>(i)];
-  }
-  const Vector solution = problem_.cholesky->solve(right);
-  Vector step = Vector::Zero(q_.size());
-  for (std::size_t i = 0; i < reduced.size(); ++i) {
-    if (reduced[i] >= 0) step[static_cast<Eigen::Index>(i)] = solution[reduced[i]];
-  }
-  return step;
-}
-
 double Newton::longest(const Vector& step) const {
   double longest = 0;
   for (Eigen::Index i = 0; i < problem_.coordinates; i += 3) longest = std::max(longest, step.segment<3>(i).norm());
@@ -111,24 +98,32 @@ double Newton::longest(const Vector& step) const {
 }
 
 Vector Newton::direction() const {
-  Vector step = solve(-gradient_);
+  Vector step = problem_.cholesky->solve_free(*problem_.matrix, -gradient_);
   const double length = longest(step);
   if (length > options_.longest_step) step *= options_.longest_step / length;
   return step;
+}
+
+double Newton::free_fraction(const Vector& step) const {
+  double free = 1;
+  for (const Form* form : problem_.forms) free = std::min(free, form->free_fraction(q_, step));
+  return free;
 }
 
 double Newton::search(const Vector& step) {
   const double slope = gradient_.dot(step);
   if (!(slope < 0)) return 0;
   const double noise = 1e-13 * std::abs(energy_);
+  const double free = free_fraction(step);
   for (int halvings = 0; halvings <= most_halvings; ++halvings) {
-    const double fraction = std::ldexp(1, -halvings);
+    const double fraction = std::ldexp(free, -halvings);
     const Vector trial = q_ + fraction * step;
     const double energy = evaluate(trial, nullptr);
     if (std::isfinite(energy) && energy <= energy_ + 1e-4 * fraction * slope + noise) {
       q_ = trial;
       if (fraction == 1 && stiffened_) lengthen(step, energy, slope);
-      return fraction;
+      // Being stopped by contact is no reason to go on more carefully, nor a reason to be bolder.
+      return free == 1 ? fraction : 0.5 * fraction / free;
     }
   }
   return 0;
@@ -137,6 +132,8 @@ double Newton::search(const Vector& step) {
 void Newton::lengthen(const Vector& step, double energy, double slope) {
   const Vector from = q_ - step;
   for (double factor = 2; factor * longest(step) <= options_.longest_step; factor *= 2) {
+    const Vector further = factor / 2 * step;
+    if (free_fraction(further) < 1) return;
     const Vector trial = from + factor * step;
     const double farther = evaluate(trial, nullptr);
     if (!(farther < energy + 1e-4 * slope)) return;

@@ -19,6 +19,8 @@ struct NewtonProblem {
   int coordinates = 0;             // the first so many unknowns are positions [m]
   std::function<double(const Vector& gradient, const Vector& q)>
       residual;  // relative; the gradient at held unknowns is zero
+  /// Called before the matrix is filled at q: gives it (and the analysis) places for what the forms now couple.
+  std::function<void(const Vector& q)> fit = {};
 };
 
 struct NewtonOptions {

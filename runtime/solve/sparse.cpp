@@ -29,6 +29,14 @@ SparseMatrix::SparseMatrix(std::vector<int> reduced, const std::vector<std::vect
   values_.assign(row_index_.size(), 0.0);
 }
 
+bool SparseMatrix::has(int i, int j) const {
+  const int row = reduced_[static_cast<std::size_t>(i)], column = reduced_[static_cast<std::size_t>(j)];
+  if (row < 0 || column < 0) return true;
+  const int last = column_start_[static_cast<std::size_t>(std::min(row, column)) + 1];
+  const std::int32_t place = find(row, column);
+  return place < last && row_index_[static_cast<std::size_t>(place)] == std::max(row, column);
+}
+
 void SparseMatrix::set_zero() {
   std::fill(values_.begin(), values_.end(), 0.0);
 }

@@ -22,6 +22,8 @@ class SparseMatrix {
   const std::vector<int>& row_index() const { return row_index_; }
   const std::vector<double>& values() const { return values_; }
 
+  /// Whether the pattern has the entry; true for held unknowns, whose entries are dropped.
+  bool has(int i, int j) const;
   void set_zero();
   /// Adds to entry (i, j) and by symmetry (j, i), unknowns before reduction, i == j once. The entry must be in the
   /// pattern.
@@ -56,6 +58,8 @@ class Cholesky {
   /// False when the matrix is not positive definite.
   bool factorise(const SparseMatrix& matrix);
   Vector solve(const Vector& right) const;
+  /// The same for a right side of all unknowns, the matrix's held ones among them: those come out 0.
+  Vector solve_free(const SparseMatrix& matrix, const Vector& right) const;
   int factorisations() const { return factorisations_; }
 
  private:

@@ -1,0 +1,73 @@
+// Contact of the cloth with itself: layers have a thickness, resist being pressed together as cloth does (little at
+// first, then without bound), and never pass through each other.
+#pragma once
+
+#include <vector>
+
+#include "runtime/contact/neighbours.hpp"
+#include "runtime/contact/proximity.hpp"
+#include "runtime/mesh/cloth.hpp"
+#include "runtime/solve/form.hpp"
+
+namespace toile {
+
+/// Corners with triangles and edges with edges that are nearer than the gap have an energy that grows without bound as
+/// their distance goes to nothing: area * pressure * gap * (1 - y)^2 (-ln y), y = distance / gap (the barrier of Li et
+/// al., Incremental Potential Contact, 2020, with the pressure for scale). A state without crossings stays so when
+/// every step is cut to its free fraction.
+class SelfContact : public Form {
+ public:
+  /// `gap` [m]: distance at which layers touch; less where triangles are small beside it. `pressure` [Pa]: about three
+  /// times of it press two layers to half their distance.
+  SelfContact(const Cloth& cloth, double gap, double pressure);
+
+  double energy(const Vector& q, Vector* gradient) const override;
+  void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
+  double free_fraction(const Vector& q, const Vector& step) const override;
+
+  /// True when the matrix has a place for everything that touches at q.
+  bool fits(const Vector& q, const SparseMatrix& matrix) const;
+  /// The unknowns coupled by what touches at q, or nearly does.
+  std::vector<std::vector<int>> couplings(const Vector& q) const;
+
+ private:
+  struct Touch {
+    Pair pair;
+    Quad x;
+    Proximity near;
+    double gap = 0;
+    double area = 0;      // [m2] that the pair stands for
+    double parallel = 0;  // [m4] of edges: below this crossing they are near to parallel
+  };
+  /// The energy per area and pressure as a function of the distance, and its derivatives by it.
+  struct Barrier {
+    double value = 0, slope = 0, bend = 0;
+  };
+
+  void gather(const Vector& from, const Vector& to, double slack) const;
+  bool gathered(const Vector& q) const;
+  const std::vector<Touch>& touches(const Vector& q) const;
+  std::vector<Touch> within(const Vector& q, double times_gap) const;
+  double gap_of(const Pair& pair) const;
+  double area_of(const Pair& pair) const;
+  double parallel_of(const Pair& pair) const;
+  Barrier barrier(const Touch& touch) const;
+  Vector12 gradient(const Touch& touch) const;
+  Matrix12 hessian(const Touch& touch, Curvature curvature) const;
+
+  const Cloth& cloth_;
+  double pressure_;
+  double widest_gap_;
+  std::vector<double> gap_;             // [m] per vertex
+  std::vector<double> area_of_edge_;    // [m2]
+  std::vector<double> square_of_edge_;  // [m2] of its length
+  // Neighbours hold for every q between the two places, or within the slack of them.
+  mutable Vector swept_from_, swept_to_;
+  mutable double slack_ = 0;
+  mutable std::vector<Pair> neighbours_;
+  // Of the latest q: energy, gradient and Hessian are asked for at the same place.
+  mutable Vector measured_at_;
+  mutable std::vector<Touch> touches_;
+};
+
+}  // namespace toile
