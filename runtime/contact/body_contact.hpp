@@ -13,7 +13,7 @@
 namespace toile {
 
 /// A place of the cloth at which contact is measured: a vertex, the middle of an edge or that of a triangle (so that no
-/// body bulges through between vertices). Together they integrate cubics over every triangle.
+/// body bulges through between vertices).
 struct ContactPoint {
   std::array<int, 3> vertices{};  // the place is their mean
   int count = 1;                  // how many of them: 1, 2 or 3

@@ -1,0 +1,83 @@
+// Layers of cloth lie on each other at their thickness, carry each other, and come apart when they start crossed.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "runtime/body/primitives.hpp"
+#include "runtime/contact/self_intersections.hpp"
+#include "runtime/drape/drape.hpp"
+#include "tests/support/sheet.hpp"
+
+namespace toile {
+namespace {
+
+FabricSheet voile() {
+  FabricSheet fabric;
+  fabric.weight = 0.12;
+  fabric.emt = WarpWeft{0.03, 0.08};
+  fabric.b = WarpWeft{6e-6, 4e-6};
+  fabric.t0 = 0.0006;
+  return fabric;
+}
+
+/// Two sheets in one cloth: a large one, and a smaller one that starts over it.
+struct TwoSheets {
+  Cloth cloth;
+  int lower = 0;  // vertices of the large one
+  Placed start;
+};
+
+TwoSheets two_sheets(double lowest, double tilt) {
+  const test::Sheet large = test::rectangle(0.2, 0.16, 10, 8), small = test::rectangle(0.1, 0.08, 5, 4);
+  std::vector<Vec2> points = large.points;
+  std::vector<std::array<int, 3>> triangles;
+  for (const ClothTriangle& triangle : large.cloth.triangles) triangles.push_back(triangle.vertices);
+  const int shift = static_cast<int>(points.size());
+  for (const Vec2 p : small.points) points.push_back({p.x + 0.3, p.y});
+  for (const ClothTriangle& triangle : small.cloth.triangles) {
+    const auto& v = triangle.vertices;
+    triangles.push_back({v[0] + shift, v[1] + shift, v[2] + shift});
+  }
+  TwoSheets two{test::cloth_of(points, triangles), shift, {}};
+  for (const Vec2 p : large.points) two.start.positions.push_back({p.x, p.y, 0.001});
+  for (const Vec2 p : small.points) {
+    two.start.positions.push_back({p.x + 0.047, p.y + 0.038, lowest + (p.x + p.y) * std::tan(tilt)});
+  }
+  return two;
+}
+
+BodySpec table() {
+  BodySpec spec;
+  spec.name = "table";
+  spec.shape = PlaneSpec{};
+  return spec;
+}
+
+TEST(Layers, LieOnEachOtherAtTheirThickness) {
+  const TwoSheets two = two_sheets(0.006, 0);
+  std::string error;
+  const auto body = make_primitive(table(), &error);
+  ASSERT_NE(body, nullptr) << error;
+  const Drape drape = toile::drape(two.cloth, voile(), body.get(), two.start, {.accuracy = 1e-4}, {});
+  ASSERT_TRUE(drape.converged) << drape.trouble;
+  EXPECT_EQ(drape.crossing_pairs, 0);
+  // The table carries both, the one through the other.
+  EXPECT_LT(drape.contact.weight_error, 1e-4);
+  for (std::size_t v = static_cast<std::size_t>(two.lower); v < drape.positions.size(); ++v) {
+    EXPECT_GT(drape.positions[v].z, 0.0003 + 0.8 * 0.0006);
+    EXPECT_LT(drape.positions[v].z, 0.0003 + 1.01 * 0.0006);
+  }
+  EXPECT_GT(drape.energy.self_contact, 0);
+}
+
+TEST(Layers, ComeApartWhenACornerStartsThroughTheOther) {
+  const TwoSheets two = two_sheets(-0.002, 0.1);
+  ASSERT_GT(intersecting_triangle_pairs(two.cloth, two.start.positions), 0);
+  const Drape drape = toile::drape(two.cloth, voile(), nullptr, two.start, {.accuracy = 1e-3, .gravity = false}, {});
+  EXPECT_EQ(drape.crossing_pairs, 0);
+}
+
+}  // namespace
+}  // namespace toile
