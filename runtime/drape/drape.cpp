@@ -91,6 +91,8 @@ class Draping {
   std::vector<Form*> forms();
   std::vector<double> inertia() const;
   double scale(const Vector& q) const { return std::max(weight_per_vertex_, elastic_.mean_internal_force(q)); }
+  /// The weight that nothing carries yet [N].
+  double uncarried(const Vector& gradient) const;
   double relative_residual(const Vector& gradient, const Vector& q) const;
   /// Out of the crossings of the start, which contact would keep.
   void untangle(const Job& job);
@@ -135,7 +137,8 @@ std::vector<double> Draping::inertia() const {
 double Draping::relative_residual(const Vector& gradient, const Vector& q) const {
   const LargestResidual largest = largest_residual(gradient, elastic_.unknowns());
   const double scale = std::max(this->scale(q), 1e-300);
-  return std::max(largest.force, largest.moment / mean_edge()) / scale;
+  const double residual = std::max(largest.force, largest.moment / mean_edge()) / scale;
+  return weighs() ? std::max(residual, std::abs(uncarried(gradient)) / gravity_.weight()) : residual;
 }
 
 void Draping::untangle(const Job& job) {
@@ -156,6 +159,12 @@ void Draping::fit(const Vector& q) {
   matrix_ = SparseMatrix(matrix_.reduced(), couplings);
   elastic_.prepare(matrix_);
   cholesky_.analyse(matrix_);
+}
+
+double Draping::uncarried(const Vector& gradient) const {
+  double sum = 0;
+  for (int v = 0; v < cloth_.vertex_count; ++v) sum += gradient[3 * v + 2];
+  return sum;
 }
 
 NewtonOutcome Draping::solve_newton(const Job& job) {

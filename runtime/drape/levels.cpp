@@ -48,13 +48,14 @@ std::vector<double> level_edges(double finest_edge, int triangles) {
 }
 
 DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
-                          const FabricSheet& fabric, const Body* body, const DrapeOptions& options, const Job& job) {
+                          const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
+                          const DrapeOptions& options, const Job& job) {
   DrapedLevels result;
   int iterations = 0, factorisations = 0;
   for (std::size_t level = 0; level < levels.size(); ++level) {
     const DrapeLevel& at = levels[level];
     const double started = seconds();
-    Placed placed = place(*at.mesh, *at.cloth, worn_lines(*at.mesh, wears), body);
+    Placed placed = place(*at.mesh, *at.cloth, worn_lines(*at.mesh, wears), arranged, body);
     result.error = placed.error;
     if (!result.error.empty()) return result;
     DrapeOptions own = options;

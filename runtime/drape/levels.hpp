@@ -22,7 +22,8 @@ struct DrapedLevels {
 /// Places the coarsest mesh, drapes it, carries the form over to the next finer mesh, and so on. `levels`: at least
 /// one, coarse first.
 DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
-                          const FabricSheet& fabric, const Body* body, const DrapeOptions& options, const Job& job);
+                          const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
+                          const DrapeOptions& options, const Job& job);
 
 /// Target edges [m] of the coarser levels below a mesh of so many triangles, the coarsest first; none for a small mesh.
 std::vector<double> level_edges(double finest_edge, int triangles);

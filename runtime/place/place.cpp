@@ -6,6 +6,7 @@
 #include <cmath>
 #include <numeric>
 
+#include "runtime/place/arranged.hpp"
 #include "runtime/place/layout.hpp"
 #include "runtime/place/rest_mesh.hpp"
 #include "runtime/place/worn_component.hpp"
@@ -159,7 +160,8 @@ void keep_apart(std::vector<Vec3>& positions) {
 
 }  // namespace
 
-Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& worn, const Body* body) {
+Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& worn,
+             const std::vector<ArrangedPiece>& arranged, const Body* body) {
   Placed placed;
   placed.error = worn_fault(worn, body);
   placed.positions.resize(static_cast<std::size_t>(mesh.s.vertex_count));
@@ -175,6 +177,10 @@ Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& 
       if (mesh.s.component_of_vertex[w.line->vertices.front()] != component) continue;
       const BodyLine* line = body->line(w.body_line);
       hung.push_back({line, hang(mesh, w, *line)});
+    }
+    if (is_arranged(mesh, members, arranged)) {
+      place_arranged(mesh, rest, members, arranged, hung, body, placed.positions);
+      continue;
     }
     if (!hung.empty()) {
       place_worn(rest, members, std::move(hung), *body, placed.positions);

@@ -66,7 +66,7 @@ struct PlacedTrousers {
     for (const SMesh::WornLine& line : mesh.s.worn) {
       worn.push_back({&line, garment.wears[line.wear].line, garment.wears[line.wear].held, 0});
     }
-    placed = place(mesh, cloth, worn, body.get());
+    placed = place(mesh, cloth, worn, {}, body.get());
   }
 };
 

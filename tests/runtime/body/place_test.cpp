@@ -28,7 +28,7 @@ Start start(const Garment& garment, const Body* body, double edge = 0.025) {
     const Wear& wear = garment.wears[line.wear];
     s.worn.push_back({&line, wear.line, wear.held, wear.from});
   }
-  s.placed = place(s.mesh, s.cloth, s.worn, body);
+  s.placed = place(s.mesh, s.cloth, s.worn, {}, body);
   return s;
 }
 
