@@ -55,9 +55,9 @@ class Binder {
   bool spread(const Given& record, Arguments& taken) {
     const auto* fields = record.value.as<RecordValue>();
     if (fields == nullptr) {
-      session_.report.add(Problem("E0202", "only a record's values are given by `...`, and this is " +
-                                               describe(record.value))
-                              .at(record.at, describe(record.value)));
+      session_.report.add(
+          Problem("E0202", "only a record's values are given by `...`, and this is " + describe(record.value))
+              .at(record.at, describe(record.value)));
       return false;
     }
     bool used = false;
@@ -80,8 +80,8 @@ class Binder {
   int formal_called(std::string_view name) const {
     auto found = std::ranges::find(formals_, name, &Formal::name);
     if (found == formals_.end()) {
-      found = std::ranges::find_if(formals_,
-                                   [name](const Formal& formal) { return same_measurement(formal.name, name); });
+      found =
+          std::ranges::find_if(formals_, [name](const Formal& formal) { return same_measurement(formal.name, name); });
     }
     return found == formals_.end() ? -1 : static_cast<int>(found - formals_.begin());
   }

@@ -41,8 +41,8 @@ PieceInstance* as_piece(Session& session, const Value& value, Location at) {
   }
   for (const Formal& formal : formals_of(session, (*form)->scope->module(), (*form)->written.parameters())) {
     if (formal.optional) continue;
-    session.report.add(Problem("E0108", fmt::format("piece `{}` needs `{}`", (*form)->name, formal.name))
-                           .at(at, "not given here"));
+    session.report.add(
+        Problem("E0108", fmt::format("piece `{}` needs `{}`", (*form)->name, formal.name)).at(at, "not given here"));
     return nullptr;
   }
   const Value made = instantiate(session, **form, {});

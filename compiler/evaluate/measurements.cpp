@@ -110,20 +110,20 @@ void warn_of_implausible(Session& session, const std::string& whose, const std::
     const Quantity* length = length_of(each);
     if (known == nullptr || length == nullptr) continue;
     if (length->si >= known->least && length->si <= known->most) continue;
-    session.report.add(Problem("W0411", fmt::format("{} `{}` {}, and people have {} to {}", whose, each.name,
-                                                    format(*length), format(metres(known->least)),
-                                                    format(metres(known->most))))
-                           .at(each.at, "is this in another unit?"));
+    session.report.add(
+        Problem("W0411", fmt::format("{} `{}` {}, and people have {} to {}", whose, each.name, format(*length),
+                                     format(metres(known->least)), format(metres(known->most))))
+            .at(each.at, "is this in another unit?"));
   }
   for (const auto& [lesser, greater] : orders) {
     const Measured* small = find(measures, lesser);
     const Measured* large = find(measures, greater);
     if (small == nullptr || large == nullptr || length_of(*small)->si <= length_of(*large)->si) continue;
-    session.report.add(Problem("W0410", fmt::format("{} `{}` {} and `{}` {}", whose, small->name,
-                                                    format(*length_of(*small)), large->name,
-                                                    format(*length_of(*large))))
-                           .at(small->at, fmt::format("`{}` is larger than `{}`", small->name, large->name))
-                           .help("are two columns or two digits swapped?"));
+    session.report.add(
+        Problem("W0410", fmt::format("{} `{}` {} and `{}` {}", whose, small->name, format(*length_of(*small)),
+                                     large->name, format(*length_of(*large))))
+            .at(small->at, fmt::format("`{}` is larger than `{}`", small->name, large->name))
+            .help("are two columns or two digits swapped?"));
   }
 }
 

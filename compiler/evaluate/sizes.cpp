@@ -42,6 +42,7 @@ class SizesReader {
     for (const syntax::View item : syntax::items(written_)) {
       if (const auto row = syntax::as<syntax::SizeRow>(item)) read_row(*row, *parameters);
     }
+    enter_names();
     if (rows_.empty() && sound_) {
       refuse(*written_.name(), fmt::format("size table `{}` has no rows", table_), "a row a size: M 68cm, 94cm");
     }
@@ -51,6 +52,15 @@ class SizesReader {
   }
 
  private:
+  /// `--size` asks for a row of the tables that are read: of a module's, those that the script uses.
+  void enter_names() {
+    std::vector<std::string> names;
+    for (const syntax::View item : syntax::items(written_)) {
+      if (const auto row = syntax::as<syntax::SizeRow>(item)) names.push_back(name_of(*row));
+    }
+    session_.size_tables.push_back(std::move(names));
+  }
+
   void refuse(const syntax::View& at, const std::string& message, const std::string& help = "") {
     sound_ = false;
     if (!module_.broken(written_.span())) session_.report.add(Problem("E0119", message).at(module_.at(at)).help(help));
@@ -182,12 +192,6 @@ class SizesReader {
 }  // namespace
 
 void define_sizes(Session& session, Scope& scope, const syntax::Sizes& written) {
-  std::vector<std::string> names;
-  for (const syntax::View item : syntax::items(written)) {
-    if (const auto row = syntax::as<syntax::SizeRow>(item))
-      names.push_back(session.name_of(scope.module(), row->name()));
-  }
-  session.size_tables.push_back(std::move(names));
   define(session, scope, written.name(),
          [&session, &scope, written]() -> Value { return SizesReader(session, scope, written).read(); });
 }

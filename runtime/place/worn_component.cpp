@@ -2,10 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
 #include "runtime/place/chain_parts.hpp"
 #include "runtime/place/envelope.hpp"
 #include "runtime/place/relax.hpp"
+#include "runtime/place/tube_winding.hpp"
 #include "runtime/place/winding.hpp"
 #include "runtime/place/worn_legs.hpp"
 
@@ -48,8 +50,8 @@ std::vector<int> assign(const RestMesh& rest, const std::vector<int>& members, c
   for (const ChainPart& part : parts) {
     const std::vector<int> lines = lines_for(part, has_own);
     for (const int v : part.vertices) {
-      line_of[v] = *std::min_element(lines.begin(), lines.end(),
-                                     [&](int a, int b) { return depth[a][v] < depth[b][v]; });
+      line_of[v] =
+          *std::min_element(lines.begin(), lines.end(), [&](int a, int b) { return depth[a][v] < depth[b][v]; });
     }
     // Between two lines one of which hangs below the other, cloth belongs to the upper.
     for (const int upper : lines) {
@@ -98,9 +100,10 @@ void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vect
       place_leg(rest, hung, static_cast<int>(l), line_of, body, clearance, positions);
       continue;
     }
-    const std::vector<double> fraction = winding(rest, chain, depth[l], in_component);
     std::vector<bool> own(n, false);
     for (const int v : members) own[v] = line_of[v] == static_cast<int>(l) && std::isfinite(depth[l][v]);
+    const std::optional<std::vector<double>> round_a_tube = tube_winding(rest, chain, own);
+    const std::vector<double> fraction = round_a_tube ? *round_a_tube : winding(rest, chain, depth[l], in_component);
     const Fullness fullness = measure_fullness(rest, fraction, depth[l], own, chain.curve.length());
     const Envelope envelope(*hung[l].line, chain.curve, fullness, body, clearance);
     for (const int v : members) {

@@ -37,6 +37,16 @@ TEST(SizesOnTheCommandLine, OneOrAllOfThem) {
   EXPECT_FALSE(call.scratch.read("flag-L.svg").empty());
 }
 
+TEST(SizesOnTheCommandLine, EverySizeOfAStandardTableInOneRun) {
+  const CommandLine call;
+  const Called drafted = call.toile(
+      fmt::format("draft '{}/examples/graded_skirt/graded_skirt.toile' -o skirt.svg --size all", TOILE_SOURCE_DIR));
+  EXPECT_EQ(drafted.exit_code, 0) << drafted.err;
+  for (const char* size : {"6", "8", "10", "12", "14", "16", "18", "20", "22", "24"}) {
+    EXPECT_FALSE(call.scratch.read(fmt::format("skirt-{}.svg", size)).empty()) << size;
+  }
+}
+
 TEST(SizesOnTheCommandLine, AnUnknownOneIsAnErrorOfTheScript) {
   const CommandLine call;
   call.scratch.write("flag.toile", flag);
