@@ -23,7 +23,6 @@ expect straight.contact.max_penetration < 3mm
 drape circle_skirt on form as circle to 1e-2
 expect circle.solve.converged == 1 and circle.contact.weight_error < 1%
 expect circle.contact.max_penetration < 3mm
-expect circle.folds >= 4
 
 drape half_circle_skirt on form as half_circle to 1e-2
 expect half_circle.solve.converged == 1 and half_circle.contact.weight_error < 1%
@@ -39,7 +38,7 @@ import blocks
 import sizing
 body form = bodies.dress_form(sizing.women...)
 let trousers = blocks.trousers(form)
-drape trousers on form as worn to 1e-2
+drape trousers on form as worn
 expect worn.solve.converged == 1 and worn.contact.weight_error < 1%
 expect worn.contact.max_penetration < 8mm    // the fork presses
 )";
