@@ -47,7 +47,7 @@ const char* const blouse = R"(import bodies
 import blocks
 import fabrics
 import sizing
-body form = bodies.dress_form(sizing.women...)
+body form = bodies.dress_form(sizing.women..., arm_angle: 25deg, upper_arm: 28cm)
 garment blouse in fabrics.cotton_shirting {
   let block = blocks.bodice(form)
   piece front  = block.front
@@ -64,9 +64,9 @@ garment blouse in fabrics.cotton_shirting {
   wear sleeve.front_cap.drawn + sleeve.back_cap.drawn at form.right_armhole placed
 }
 drape blouse on form as worn to 1e-2
-print worn.bounds.width, worn.contact.max_penetration
 expect worn.solve.converged == 1
-expect worn.bounds.width > 75cm    // the sleeves lie along the arms
+expect worn.bounds.width > 60cm    // the sleeves lie along the arms
+expect worn.contact.max_penetration < 20mm    // and press where these leave the trunk
 )";
 
 class DrapedBlocks : public testing::TestWithParam<std::string> {};
