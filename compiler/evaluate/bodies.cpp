@@ -34,7 +34,7 @@ void warn_of_figure(Session& session, const Scope& inside, const std::string& na
   for (std::size_t i = 0; i < inside.definitions().size(); ++i) {
     Definition& parameter = *inside.definitions()[i];
     const bool given = i < arguments.size() && arguments[i].has_value();
-    measured.push_back({parameter.name, force(session, parameter), given ? arguments[i]->at : parameter.at});
+    measured.push_back({parameter.name, force(session, parameter), given ? arguments[i]->at : parameter.at, given});
   }
   warn_of_implausible(session, fmt::format("body `{}` has", name), measured);
 }

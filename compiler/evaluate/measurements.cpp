@@ -108,7 +108,7 @@ void warn_of_implausible(Session& session, const std::string& whose, const std::
   for (const Measured& each : measures) {
     const Measurement* known = measurement(each.name);
     const Quantity* length = length_of(each);
-    if (known == nullptr || length == nullptr) continue;
+    if (!each.given || known == nullptr || length == nullptr) continue;
     if (length->si >= known->least && length->si <= known->most) continue;
     session.report.add(
         Problem("W0411", fmt::format("{} `{}` {}, and people have {} to {}", whose, each.name, format(*length),
@@ -119,10 +119,11 @@ void warn_of_implausible(Session& session, const std::string& whose, const std::
     const Measured* small = find(measures, lesser);
     const Measured* large = find(measures, greater);
     if (small == nullptr || large == nullptr || length_of(*small)->si <= length_of(*large)->si) continue;
+    if (!small->given && !large->given) continue;
     session.report.add(
         Problem("W0410", fmt::format("{} `{}` {} and `{}` {}", whose, small->name, format(*length_of(*small)),
                                      large->name, format(*length_of(*large))))
-            .at(small->at, fmt::format("`{}` is larger than `{}`", small->name, large->name))
+            .at(small->given ? small->at : large->at, fmt::format("`{}` is larger than `{}`", small->name, large->name))
             .help("are two columns or two digits swapped?"));
   }
 }

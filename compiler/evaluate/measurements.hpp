@@ -23,10 +23,11 @@ struct Measured {
   std::string name;
   Value value;
   Location at;
+  bool given = true;  // no default
 };
 
-/// Warns of what no figure has: a girth of 700 cm, a wrist larger than its upper arm. `whose` begins the sentence:
-/// "size `M` has".
+/// Warns of what no figure has: a girth of 700 cm, a wrist larger than its upper arm; not of defaults alone. `whose`
+/// begins the sentence: "size `M` has".
 void warn_of_implausible(Session& session, const std::string& whose, const std::vector<Measured>& measures);
 
 }  // namespace toile

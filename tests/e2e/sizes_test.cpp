@@ -47,6 +47,20 @@ TEST(SizesOnTheCommandLine, EverySizeOfAStandardTableInOneRun) {
   }
 }
 
+TEST(SizesOnTheCommandLine, EveryFigureOfTheStandardTablesHasItsForm) {
+  const CommandLine call;
+  for (const char* table : {"women", "men", "children"}) {
+    call.scratch.write("form.toile",
+                       fmt::format("import bodies\nimport sizing\nbody form = bodies.dress_form(sizing.{0}...)\n"
+                                   "expect abs(form.waist.girth - sizing.{0}.waist) < 1um\n"
+                                   "expect abs(form.bust.girth - sizing.{0}.bust) < 1um\n",
+                                   table));
+    const Called ran = call.toile("run form.toile --size all --quiet");
+    EXPECT_EQ(ran.exit_code, 0) << table << ran.err;
+    EXPECT_EQ(ran.err, "") << table;
+  }
+}
+
 TEST(SizesOnTheCommandLine, AnUnknownOneIsAnErrorOfTheScript) {
   const CommandLine call;
   call.scratch.write("flag.toile", flag);

@@ -49,6 +49,15 @@ TEST(Measurements, AFigureThatContradictsItselfIsAskedAbout) {
   EXPECT_THAT(body.told(), ElementsAre("W0410 2:35 body `dress_form` has `waist` 99 cm and `hip` 94 cm"));
 }
 
+TEST(Measurements, OfDefaultsNothingIsAsked) {
+  const std::string doll =
+      "body doll(waist = 12cm, hip = waist - 1cm, height = 30cm) {\n  section a at 10cm { girth hip }\n"
+      "  section b at 20cm { girth waist }\n}\n";
+  EXPECT_THAT(Script(doll + "body d = doll()\n").told(), IsEmpty());
+  EXPECT_THAT(Script(doll + "body d = doll(hip: 11cm)\n").told(),
+              ElementsAre(StartsWith("W0410 5:20"), StartsWith("W0411 5:20 body `doll` has `hip` 11 cm")));
+}
+
 TEST(Measurements, SoIsOneThatNobodyHas) {
   const Script script("sizes t(waist, stature) {\n  M 680cm, 16.5cm\n}\nprint t.waist\n");
   EXPECT_THAT(script.told(), ElementsAre(StartsWith("W0411 2:5 size `M` has `waist` 680 cm"),
