@@ -69,6 +69,38 @@ expect worn.bounds.width > 70cm    // the sleeves lie along the arms
 expect worn.contact.max_penetration < 12mm    // and press where these leave the trunk
 )";
 
+const char* const band_and_collar = R"(import bodies
+import blocks
+import fabrics
+body form = bodies.dress_form()
+garment skirt in fabrics.wool_serge {
+  let block = blocks.half_circle_skirt(form)
+  piece skirt = block.skirt
+  piece band  = blocks.waistband(2 * length(block.skirt.waist), depth: 3cm)
+  sew  skirt.back to skirt.back
+  sew  band.left to band.right
+  sew  band.foot to skirt.waist
+  wear band.head at form.waist
+}
+garment top in fabrics.cotton_shirting {
+  let block = blocks.bodice(form)
+  piece front  = block.front
+  piece back   = block.back
+  piece collar = blocks.stand_collar(2 * length(front.neck) + 2 * length(back.neck), depth: 3cm)
+  sew  front.side to back.side
+  sew  front.shoulder to back.shoulder
+  sew  back.centre to back.centre
+  sew  collar.foot to front.neck + back.neck
+  wear collar.head at form.neck placed
+}
+drape skirt on form as low to 1e-2
+expect low.solve.converged == 1 and low.contact.weight_error < 1%
+expect low.contact.max_penetration < 3mm
+drape top on form as high to 1e-2
+expect high.solve.converged == 1 and high.contact.weight_error < 1%
+expect high.bounds.high > form.neck.level - 1cm    // the collar stands
+)";
+
 class DrapedBlocks : public testing::TestWithParam<std::string> {};
 
 TEST_P(DrapedBlocks, RestOnTheFormOfTheirSize) {
@@ -82,6 +114,13 @@ TEST_P(DrapedBlocks, TrousersAsWell) {
   const CommandLine call;
   call.scratch.write("trousers.toile", draped_trousers);
   const Called ran = call.toile(fmt::format("run trousers.toile --size {} --triangles 900", GetParam()));
+  EXPECT_EQ(ran.exit_code, 0) << ran.err;
+}
+
+TEST(DrapedParts, AWaistbandHoldsASkirtAndACollarStands) {
+  const CommandLine call;
+  call.scratch.write("parts.toile", band_and_collar);
+  const Called ran = call.toile("run parts.toile --triangles 700");
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
 }
 
