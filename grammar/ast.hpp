@@ -166,7 +166,7 @@ struct Garment : ViewOf<Kind::Garment> {
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
-  std::optional<Expr> taken() const { return after<Expr>(*this, Kind::Assign); }  // drawn elsewhere
+  std::optional<Expr> taken() const { return after<Expr>(*this, Kind::Assign); }   // drawn elsewhere
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
 };
 

@@ -99,9 +99,10 @@ using HoleRef = const HoleInstance*;
 
 class Value {
  public:
-  using Data = std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue,
-                            BodyValue, BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef,
-                            ModuleRef, BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, HoleRef>;
+  using Data =
+      std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue, BodyValue,
+                   BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef, ModuleRef,
+                   BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, HoleRef>;
 
   Value() = default;
   template <typename T>
