@@ -161,9 +161,12 @@ struct Garment : ViewOf<Kind::Garment> {
   std::optional<Expr> textile() const { return after<Expr>(*this, Kind::KwPrinted); }
 };
 
+/// `piece name(parameters) { … }`, a variation `piece back = front with { … }`, or `piece cuff = parts.cuff(8cm)`.
 /// items() are Let Outline Hole Fold Cut Grain Dart Notch Repeat Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
+  std::optional<Expr> taken() const { return after<Expr>(*this, Kind::Assign); }   // drawn elsewhere
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
 };
 

@@ -43,8 +43,9 @@ struct Member : ViewOf<Kind::Member> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
 };
 
-/// `value`, or `name: value`.
+/// `value`, `name: value`, or `record...` for all of a record's values by their names.
 struct Argument : ViewOf<Kind::Argument> {
+  bool spread() const { return has(*this, Kind::Ellipsis); }
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Expr> value() const { return child<Expr>(*this); }
 };

@@ -165,7 +165,8 @@ struct record : pegtl::seq<named_next,
 struct primary
     : called<Kind::NameRef, pegtl::sor<name_ref, number, gap_before<record>, tuple, string, list, colour, boolean>> {};
 
-struct argument : node<Kind::Argument, pegtl::opt<any_name, sign<Kind::Colon>, more>, expression> {};
+struct argument : node<Kind::Argument, pegtl::sor<pegtl::seq<any_name, sign<Kind::Colon>, more, expression>,
+                                                  pegtl::seq<expression, pegtl::opt<sign<Kind::Ellipsis>>>>> {};
 struct arguments : bracketed<Kind::LeftParen, Kind::RightParen,
                              pegtl::opt<argument, pegtl::star<comma, argument>, pegtl::opt<comma>>> {};
 struct index : bracketed<Kind::LeftBracket, Kind::RightBracket, expression> {};

@@ -4,6 +4,7 @@
 
 #include "compiler/evaluate/body_parts.hpp"
 #include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/measurements.hpp"
 #include "compiler/evaluate/names.hpp"
 
 namespace toile {
@@ -26,6 +27,18 @@ void define_lets(Session& session, Scope& inside, const syntax::Body& written) {
   }
 }
 
+/// Whether the measurements, the default ones among them, can be those of one figure.
+void warn_of_figure(Session& session, const Scope& inside, const std::string& name,
+                    const std::vector<std::optional<Given>>& arguments) {
+  std::vector<Measured> measured;
+  for (std::size_t i = 0; i < inside.definitions().size(); ++i) {
+    Definition& parameter = *inside.definitions()[i];
+    const bool given = i < arguments.size() && arguments[i].has_value();
+    measured.push_back({parameter.name, force(session, parameter), given ? arguments[i]->at : parameter.at, given});
+  }
+  warn_of_implausible(session, fmt::format("body `{}` has", name), measured);
+}
+
 /// A form of the sections and limbs in its braces.
 Value form_of(Session& session, const Scope& scope, const syntax::Body& written, const std::string& name,
               const std::vector<std::optional<Given>>& arguments) {
@@ -34,7 +47,10 @@ Value form_of(Session& session, const Scope& scope, const syntax::Body& written,
   body->spec.written = scope.module().at(written);
   body->spec.shape = FormSpec{};
   Scope inside(scope.module(), &scope, true);
-  if (const auto parameters = written.parameters()) define_parameters(session, inside, *parameters, arguments);
+  if (const auto parameters = written.parameters()) {
+    define_parameters(session, inside, *parameters, arguments);
+    warn_of_figure(session, inside, name, arguments);
+  }
   define_lets(session, inside, written);
   apply_parts(session, inside, parts_of(written), *body);
   for (const auto& definition : inside.definitions()) force(session, *definition);

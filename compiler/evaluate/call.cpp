@@ -9,7 +9,9 @@
 #include "compiler/evaluate/builtins.hpp"
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/free_pieces.hpp"
 #include "compiler/evaluate/garments.hpp"
+#include "compiler/evaluate/measurements.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/solve.hpp"
 
@@ -31,21 +33,59 @@ class Binder {
     const auto name = argument.name();
     if (!name) return next_place(argument, taken);
     const std::string text = session_.name_of(module_, name);
-    for (std::size_t i = 0; i < formals_.size(); ++i) {
-      if (formals_[i].name != text) continue;
-      if (!taken[i]) return static_cast<int>(i);
+    if (const int i = formal_called(text); i >= 0) {
+      if (!taken[static_cast<std::size_t>(i)]) return i;
       session_.report.add(Problem("E0109", fmt::format("`{}` is given twice", text))
                               .at(module_.at(argument), "given again here")
-                              .also(taken[i]->at, "already given here"));
+                              .also(taken[static_cast<std::size_t>(i)]->at, "already given here"));
+      return -1;
+    }
+    const std::string message = fmt::format("{} takes no `{}`", callee_, text);
+    if (const std::string advice = advice_on_measurement(text); !advice.empty()) {
+      session_.report.add(Problem("E0107", message).at(module_.at(*name)).help(advice));
       return -1;
     }
     std::vector<std::string> names;
     for (const Formal& formal : formals_) names.push_back(formal.name);
-    report_unknown(session_, module_, *name, fmt::format("{} takes no `{}`", callee_, text), names, "E0107");
+    report_unknown(session_, module_, *name, message, names, "E0107");
     return -1;
   }
 
+  /// Gives each parameter that is still without a value the record's field of its name. False after an error.
+  bool spread(const Given& record, Arguments& taken) {
+    const auto* fields = record.value.as<RecordValue>();
+    if (fields == nullptr) {
+      session_.report.add(
+          Problem("E0202", "only a record's values are given by `...`, and this is " + describe(record.value))
+              .at(record.at, describe(record.value)));
+      return false;
+    }
+    bool used = false;
+    for (const RecordValue::Field& field : *fields->fields) {
+      const int i = formal_called(field.name);
+      used = used || i >= 0;
+      if (i >= 0 && !taken[static_cast<std::size_t>(i)]) taken[static_cast<std::size_t>(i)] = {field.value, record.at};
+    }
+    if (used) return true;
+    std::vector<std::string> names;
+    for (const Formal& formal : formals_) names.push_back(formal.name);
+    session_.report.add(Problem("E0107", fmt::format("{} takes nothing of this record", callee_))
+                            .at(record.at, format(record.value))
+                            .help(fmt::format("it takes {}", fmt::join(names, ", "))));
+    return false;
+  }
+
  private:
+  /// By its name, or by another name of that measurement; -1 for none.
+  int formal_called(std::string_view name) const {
+    auto found = std::ranges::find(formals_, name, &Formal::name);
+    if (found == formals_.end()) {
+      found =
+          std::ranges::find_if(formals_, [name](const Formal& formal) { return same_measurement(formal.name, name); });
+    }
+    return found == formals_.end() ? -1 : static_cast<int>(found - formals_.begin());
+  }
+
   int next_place(const syntax::Argument& argument, const Arguments& taken) {
     const int place = positional_++;
     if (place < static_cast<int>(formals_.size())) {
@@ -143,7 +183,12 @@ std::optional<std::vector<std::optional<Given>>> bind_arguments(Session& session
   Arguments taken(formals.size());
   Binder binder(session, module, callee, formals, variadic);
   bool sound = true;
+  std::vector<Given> records;
   for (const syntax::Argument& argument : written.arguments()) {
+    if (argument.spread()) {
+      records.push_back({evaluate(session, scope, argument.value()), module.at(argument)});
+      continue;
+    }
     const int place = binder.place_of(argument, taken);
     const bool curve = place >= 0 && formals[std::min<std::size_t>(place, formals.size() - 1)].curve;
     const Value value =
@@ -155,6 +200,11 @@ std::optional<std::vector<std::optional<Given>>> bind_arguments(Session& session
     if (place >= static_cast<int>(taken.size())) taken.resize(static_cast<std::size_t>(place) + 1);
     const auto expr = argument.value();
     taken[static_cast<std::size_t>(place)] = Given{value, expr ? module.at(*expr) : module.at(argument)};
+  }
+  // What is given by itself comes before what a record has.
+  for (const Given& record : records) {
+    if (record.value.unknown()) return std::nullopt;
+    sound = binder.spread(record, taken) && sound;
   }
   if (!sound) return std::nullopt;
   for (std::size_t i = 0; i < formals.size(); ++i) {
@@ -229,6 +279,11 @@ Value call(Session& session, const Scope& scope, const syntax::Call& written) {
     const auto formals = formals_of(session, (*garment)->scope->module(), (*garment)->written.parameters());
     const auto arguments = bind_arguments(session, scope, written, name, formals);
     return arguments ? instantiate(session, **garment, *arguments) : Value{};
+  }
+  if (const auto* piece = callee.as<PieceTemplateRef>()) {
+    const auto formals = formals_of(session, (*piece)->scope->module(), (*piece)->written.parameters());
+    const auto arguments = bind_arguments(session, scope, written, name, formals);
+    return arguments ? instantiate(session, **piece, *arguments) : Value{};
   }
   for (const syntax::Argument& argument : written.arguments()) evaluate(session, scope, argument.value());
   if (callee.unknown()) return Unknown{};

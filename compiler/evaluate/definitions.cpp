@@ -9,6 +9,7 @@
 #include "compiler/evaluate/bodies.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/fabrics.hpp"
+#include "compiler/evaluate/free_pieces.hpp"
 #include "compiler/evaluate/garments.hpp"
 #include "compiler/evaluate/modules.hpp"
 #include "compiler/evaluate/names.hpp"
@@ -189,6 +190,8 @@ void define_module(Session& session, Module& module) {
       define_sizes(session, scope, *sizes);
     } else if (const auto garment = syntax::as<syntax::Garment>(item)) {
       define_garment(session, scope, *garment);
+    } else if (const auto piece = syntax::as<syntax::Piece>(item)) {
+      define_free_piece(session, scope, *piece);
     } else {
       module.commands.push_back(item);
     }

@@ -2,6 +2,7 @@
 #include <algorithm>
 
 #include "compiler/evaluate/bodies.hpp"
+#include "compiler/evaluate/measurements.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/units/unit.hpp"
 
@@ -91,6 +92,9 @@ Value field_of(const Access& access, const RecordValue& record) {
   for (const RecordValue::Field& field : *record.fields) {
     if (field.name == access.text) return field.value;
     names.push_back(field.name);
+  }
+  for (const RecordValue::Field& field : *record.fields) {
+    if (same_measurement(field.name, access.text)) return field.value;
   }
   return access.unknown("this record has no field `" + access.text + "`", names);
 }

@@ -4,6 +4,7 @@
 
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/free_pieces.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/pieces.hpp"
 #include "compiler/evaluate/sewing.hpp"
@@ -57,19 +58,22 @@ class GarmentBuilder {
     }
     PiecePlanner(session_, garment_).plan_all();
     for (const auto& piece : garment_.pieces) {
+      if (piece->written.taken()) continue;
       piece->scope = std::make_unique<Scope>(scope.module(), &scope);
       define_piece_names(session_, *piece);
     }
   }
 
   void define_piece(const syntax::Piece& written) {
+    if (written.parameters()) return define_free_piece(session_, *garment_.scope, written);
     auto piece = std::make_unique<PieceInstance>();
     piece->name = session_.name_of(outer_->module(), written.name());
     piece->garment = &garment_;
     piece->written = written;
     PieceInstance* reference = piece.get();
-    const Definition* made =
-        define(session_, *garment_.scope, written.name(), [reference]() -> Value { return PieceRef{reference}; });
+    const Definition* made = define(session_, *garment_.scope, written.name(), [this_session = &session_, reference] {
+      return reference->written.taken() ? take(*this_session, *reference) : Value{PieceRef{reference}};
+    });
     if (made == nullptr) {
       garment_.sound = false;
       return;
@@ -108,7 +112,8 @@ class GarmentBuilder {
 
   void draft_pieces() {
     for (const auto& piece : garment_.pieces) {
-      garment_.draft.pieces.push_back(draft_piece(session_, *piece));
+      garment_.draft.pieces.push_back(piece->written.taken() ? draft_taken(session_, *piece)
+                                                             : draft_piece(session_, *piece));
       garment_.sound = garment_.sound && piece->sound;
     }
   }

@@ -11,12 +11,14 @@ bool Module::broken(Span span) const {
 }
 
 std::vector<std::string> PieceInstance::edge_names() const {
+  if (taken != nullptr) return taken->edge_names();
   std::vector<std::string> names;
   for (const PlannedEdge& edge : plan.edges) names.push_back(edge.name);
   return names;
 }
 
 const HoleInstance* PieceInstance::hole(std::string_view hole_name) const {
+  if (taken != nullptr) return taken->hole(hole_name);
   const auto found =
       std::find_if(holes.begin(), holes.end(), [&](const auto& each) { return each->name == hole_name; });
   return found == holes.end() || hole_name.empty() ? nullptr : found->get();

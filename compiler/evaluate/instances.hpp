@@ -49,6 +49,12 @@ struct GarmentTemplate {
   std::string name;
 };
 
+struct PieceTemplate {
+  syntax::Piece written;
+  const Scope* scope = nullptr;
+  std::string name;
+};
+
 struct BodyInstance {
   BodySpec spec;
   int index = -1;  // among Program::bodies()
@@ -93,6 +99,7 @@ struct HoleInstance {
 
 struct PieceInstance {
   std::string name;
+  PieceInstance* taken = nullptr;  // the piece that this one is, where it was drawn elsewhere
   GarmentInstance* garment = nullptr;
   syntax::Piece written;
   PiecePlan plan;

@@ -38,7 +38,8 @@ bool stands_in_broken_text(const Session& session, const Module& module, std::st
 
 bool callable(const Value& value) {
   return value.unknown() || value.as<FunctionRef>() != nullptr || value.as<BuiltinRef>() != nullptr ||
-         value.as<BodyTemplateRef>() != nullptr || value.as<GarmentTemplateRef>() != nullptr;
+         value.as<BodyTemplateRef>() != nullptr || value.as<GarmentTemplateRef>() != nullptr ||
+         value.as<PieceTemplateRef>() != nullptr;
 }
 
 /// The value tried, or the one made before, as long as that holds.

@@ -112,7 +112,15 @@ PieceInstance* PiecePlanner::base_of(PieceInstance& piece) {
   if (!written) return nullptr;
   const Module& module = garment_.scope->module();
   const std::string name = session_.name_of(module, written);
-  if (PieceInstance* base = garment_.piece(name)) return base;
+  if (PieceInstance* base = garment_.piece(name)) {
+    if (!base->written.taken()) return base;
+    session_.report.add(Problem("E0120", fmt::format("piece `{}` is drawn elsewhere and has no variations here", name))
+                            .at(module.at(*written), "varied here")
+                            .also(module.at(base->written), "taken here")
+                            .help("give it parameters where it is drawn, or vary it there"));
+    piece.sound = false;
+    return nullptr;
+  }
   std::vector<std::string> names;
   for (const auto& each : garment_.pieces) {
     if (each.get() != &piece) names.push_back(each->name);

@@ -29,8 +29,8 @@ class LoadedProgram final : public Program {
     check_functions(session_);
     enter_bodies(script);
     report_unused_settings(session_);
-    report_unused_size(session_);
     commands_.check();
+    report_unused_size(session_);
   }
 
   const Sources& sources() const override { return session_.sources; }

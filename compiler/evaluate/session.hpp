@@ -38,6 +38,7 @@ struct Session {
   std::deque<UserFunction> functions;
   std::deque<BodyTemplate> body_templates;
   std::deque<GarmentTemplate> garment_templates;
+  std::deque<PieceTemplate> piece_templates;
   std::deque<std::unique_ptr<GarmentInstance>> garment_instances;
   std::deque<DrapeRecord> drapes;
 

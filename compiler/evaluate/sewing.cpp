@@ -69,6 +69,7 @@ class SewingReader {
                      fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, made.piece), names, "E0309");
       return std::nullopt;
     }
+    if (piece->written.taken() && piece->taken == nullptr) return std::nullopt;  // told where it is taken
     made.edge = session_.name_of(module_, path[1]);
     if (const HoleInstance* hole = piece->hole(made.edge)) {
       if (!read_rim(path, *hole, made)) return std::nullopt;

@@ -7,6 +7,7 @@
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/call.hpp"
 #include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/measurements.hpp"
 #include "compiler/evaluate/names.hpp"
 
 namespace toile {
@@ -41,6 +42,7 @@ class SizesReader {
     for (const syntax::View item : syntax::items(written_)) {
       if (const auto row = syntax::as<syntax::SizeRow>(item)) read_row(*row, *parameters);
     }
+    enter_names();
     if (rows_.empty() && sound_) {
       refuse(*written_.name(), fmt::format("size table `{}` has no rows", table_), "a row a size: M 68cm, 94cm");
     }
@@ -50,6 +52,15 @@ class SizesReader {
   }
 
  private:
+  /// `--size` asks for a row of the tables that are read: of a module's, those that the script uses.
+  void enter_names() {
+    std::vector<std::string> names;
+    for (const syntax::View item : syntax::items(written_)) {
+      if (const auto row = syntax::as<syntax::SizeRow>(item)) names.push_back(name_of(*row));
+    }
+    session_.size_tables.push_back(std::move(names));
+  }
+
   void refuse(const syntax::View& at, const std::string& message, const std::string& help = "") {
     sound_ = false;
     if (!module_.broken(written_.span())) session_.report.add(Problem("E0119", message).at(module_.at(at)).help(help));
@@ -118,22 +129,13 @@ class SizesReader {
              fmt::format("`{}` of size `{}` is {}, and of size `{}` {}", name, read.name, describe(value), first.name,
                          describe(first.fields[i].value)));
     }
-    warn_of_wide_waist(row, read);
+    std::vector<Measured> measured;
+    for (std::size_t i = 0; i < read.fields.size(); ++i) {
+      const syntax::View& at = i < values.size() ? syntax::View(values[i]) : syntax::View(row);
+      measured.push_back({read.fields[i].name, read.fields[i].value, module_.at(at)});
+    }
+    warn_of_implausible(session_, fmt::format("size `{}` has", read.name), measured);
     rows_.push_back(std::move(read));
-  }
-
-  void warn_of_wide_waist(const syntax::SizeRow& row, const SizeMeasures& read) {
-    const auto measure = [&read](const char* name) -> const Quantity* {
-      const auto found = std::ranges::find(read.fields, name, &RecordValue::Field::name);
-      return found == read.fields.end() || !found->value.known() ? nullptr : found->value.as<Quantity>();
-    };
-    const Quantity* waist = measure("waist");
-    const Quantity* hip = measure("hip");
-    if (waist == nullptr || hip == nullptr || waist->dimension != hip->dimension || waist->si <= hip->si) return;
-    session_.report.add(Problem("W0410", fmt::format("size `{}` has a waist of {} and a hip of {}", read.name,
-                                                     format(*waist), format(*hip)))
-                            .at(module_.at(row), "the waist is larger than the hip")
-                            .help("are two columns or two digits swapped?"));
   }
 
   /// The row that was asked for, else the one after `at`, else the first.
@@ -190,12 +192,6 @@ class SizesReader {
 }  // namespace
 
 void define_sizes(Session& session, Scope& scope, const syntax::Sizes& written) {
-  std::vector<std::string> names;
-  for (const syntax::View item : syntax::items(written)) {
-    if (const auto row = syntax::as<syntax::SizeRow>(item))
-      names.push_back(session.name_of(scope.module(), row->name()));
-  }
-  session.size_tables.push_back(std::move(names));
   define(session, scope, written.name(),
          [&session, &scope, written]() -> Value { return SizesReader(session, scope, written).read(); });
 }

@@ -100,6 +100,7 @@ std::string describe(const Value& value) {
                         [](ModuleRef) -> std::string { return "a module"; },
                         [](BodyTemplateRef) -> std::string { return "a body with parameters"; },
                         [](GarmentTemplateRef) -> std::string { return "a garment with parameters"; },
+                        [](PieceTemplateRef) -> std::string { return "a piece with parameters"; },
                         [](GarmentRef) -> std::string { return "a garment"; },
                         [](PieceRef) -> std::string { return "a piece"; },
                         [](HoleRef) -> std::string { return "a hole"; },

@@ -24,6 +24,7 @@ struct Builtin;
 struct UserFunction;
 struct BodyTemplate;
 struct GarmentTemplate;
+struct PieceTemplate;
 struct BodyInstance;
 struct GarmentInstance;
 struct PieceInstance;
@@ -91,15 +92,17 @@ using BuiltinRef = const Builtin*;
 using ModuleRef = Module*;
 using BodyTemplateRef = const BodyTemplate*;
 using GarmentTemplateRef = const GarmentTemplate*;
+using PieceTemplateRef = const PieceTemplate*;
 using GarmentRef = GarmentInstance*;
 using PieceRef = PieceInstance*;
 using HoleRef = const HoleInstance*;
 
 class Value {
  public:
-  using Data = std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue,
-                            BodyValue, BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef,
-                            ModuleRef, BodyTemplateRef, GarmentTemplateRef, GarmentRef, PieceRef, HoleRef>;
+  using Data =
+      std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue, BodyValue,
+                   BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef, ModuleRef,
+                   BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, HoleRef>;
 
   Value() = default;
   template <typename T>

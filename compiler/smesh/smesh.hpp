@@ -55,6 +55,7 @@ struct SMesh {
     bool closed = false;
     /// The arc length at the middle of the edge named first: of all its parts and copies that lie together there.
     double centre = 0;
+    std::vector<PieceId> pieces;  // those whose edges are named, ascending: their cloth hangs there
   };
   std::vector<WornLine> worn;
 };

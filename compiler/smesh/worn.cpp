@@ -44,7 +44,10 @@ std::vector<SMesh::WornLine> find_worn_lines(const Garment& garment, const PMesh
         line.arc.push_back(line.length + (link.forward ? nodes.arc[k] : length - nodes.arc[k]));
       }
       line.length += length;
+      line.pieces.push_back(link.edge.piece);
     }
+    std::sort(line.pieces.begin(), line.pieces.end());
+    line.pieces.erase(std::unique(line.pieces.begin(), line.pieces.end()), line.pieces.end());
     line.closed = line.vertices.size() > 2 && last == line.vertices.front();
     line.centre = centre_of(garment, garment.wears[w].chain, line.closed);
     lines.push_back(std::move(line));

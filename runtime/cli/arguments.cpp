@@ -196,6 +196,12 @@ void build(CLI::App& app, Arguments& arguments) {
                                  "toile explain E0316");
   explain.add_option("CODE", arguments.code, "the code of a diagnostic; without one all are listed")->type_name("");
 
+  CLI::App& doc =
+      subcommand(app, arguments, Task::Doc, "doc", "Write a module's reference as Markdown", "toile doc blocks");
+  doc.add_option("MODULE", arguments.module,
+                 "a module of the standard library, or a script; without one the library's modules are listed")
+      ->type_name("");
+
   CLI::App& test = subcommand(app, arguments, Task::Test, "test", "Compare scripts with their golden files",
                               "toile test tests/golden --update");
   test.add_option("PATH", arguments.files, "a script or a folder of scripts; this folder by default")

@@ -11,7 +11,7 @@
 
 namespace toile {
 
-enum class Task { Run, Check, Compile, Draft, Drape, Render, Fmt, Explain, Test, Import };
+enum class Task { Run, Check, Compile, Draft, Drape, Render, Fmt, Explain, Doc, Test, Import };
 enum class MessageFormat { Human, Json, Sarif };
 enum class WhenColour { Auto, Always, Never };
 
@@ -19,6 +19,7 @@ struct Arguments {
   Task task = Task::Run;
   std::vector<std::string> files;  // scripts; for `test`, at most one path; for `import`, the foreign file
   std::string code;                // `explain`
+  std::string module;              // `doc`
 
   // common
   MessageFormat messages = MessageFormat::Human;

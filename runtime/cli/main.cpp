@@ -12,6 +12,7 @@
 #include "runtime/driver/formatting.hpp"
 #include "runtime/driver/golden.hpp"
 #include "runtime/driver/importing.hpp"
+#include "runtime/driver/reference.hpp"
 #include "runtime/driver/run.hpp"
 #include "runtime/driver/sizes.hpp"
 
@@ -65,6 +66,7 @@ void carry_out(Workroom& workroom, const Arguments& arguments) {
     }
     case Task::Fmt:
     case Task::Explain:
+    case Task::Doc:
     case Task::Test:
     case Task::Import:
       break;  // have no workroom of their own
@@ -101,6 +103,8 @@ Outcome outcome_of(const Arguments& arguments, Console& console, const Job& job)
       return format_files(arguments.files, arguments.check, console);
     case Task::Explain:
       return explain(arguments.code, console);
+    case Task::Doc:
+      return document_module(arguments.module, console);
     case Task::Test:
       return test_scripts(arguments.files.empty() ? "." : arguments.files.front(), arguments.update, console, job);
     case Task::Import:

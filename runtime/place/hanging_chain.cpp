@@ -8,13 +8,17 @@ namespace toile {
 namespace {
 
 // +1 when the chain is to run counter-clockwise. A triangle of the right side that walks the chain's way has its cloth
-// on the left: hanging down and seen from outside, it walks clockwise.
+// on the left: hanging down and seen from outside, it walks clockwise. Of a chain that joins two pieces the one named
+// hangs from it: of an armhole its sleeve.
 double sense(const SewnMesh& mesh, const SMesh::WornLine& line) {
   const std::size_t n = line.vertices.size();
   std::vector<bool> on_chain(static_cast<std::size_t>(mesh.s.vertex_count), false);
   for (const int v : line.vertices) on_chain[v] = true;
   std::set<std::pair<int, int>> walks;
-  for (const auto& t : mesh.s.triangles) {
+  for (std::size_t i = 0; i < mesh.s.triangles.size(); ++i) {
+    const PieceId piece = mesh.p.piece_of_point[mesh.p.triangles[i].front()];
+    if (!std::ranges::binary_search(line.pieces, piece)) continue;
+    const auto& t = mesh.s.triangles[i];
     for (int c = 0; c < 3; ++c) {
       if (on_chain[t[c]] && on_chain[t[(c + 1) % 3]]) walks.emplace(t[c], t[(c + 1) % 3]);
     }

@@ -2,9 +2,12 @@
 
 #include <algorithm>
 #include <cmath>
+#include <optional>
 
+#include "runtime/place/chain_parts.hpp"
 #include "runtime/place/envelope.hpp"
 #include "runtime/place/relax.hpp"
+#include "runtime/place/tube_winding.hpp"
 #include "runtime/place/winding.hpp"
 #include "runtime/place/worn_legs.hpp"
 
@@ -25,32 +28,46 @@ Vec3 middle(const std::vector<Vec3>& points) {
   return sum / static_cast<double>(points.size());
 }
 
-// The line that each member hangs from.
-std::vector<int> assign(const std::vector<int>& members, const std::vector<HungLine>& hung,
-                        const std::vector<std::vector<double>>& depth, std::size_t vertex_count) {
-  const int lines = static_cast<int>(hung.size());
-  std::vector<int> line_of(vertex_count, -1);
-  for (const int v : members) {
-    int nearest = 0;
-    for (int l = 1; l < lines; ++l) {
-      if (depth[l][v] < depth[nearest][v]) nearest = l;
-    }
-    line_of[v] = nearest;
+// The lines that cloth may hang from that these bound. A chain with a part that no other bounds holds that one: an
+// armhole its sleeve, and the trunk hangs from the neck.
+std::vector<int> lines_for(const ChainPart& part, const std::vector<bool>& has_own) {
+  std::vector<int> lines;
+  for (const int l : part.bounds) {
+    if (part.bounds.size() == 1 || !has_own[l]) lines.push_back(l);
   }
-  // Between two lines one of which hangs below the other, cloth belongs to the upper.
-  for (int upper = 0; upper < lines; ++upper) {
-    for (int lower = 0; lower < lines; ++lower) {
-      const Vec3 way = middle(hung[lower].chain.positions) - middle(hung[upper].chain.positions);
-      const double distance_along = dot(hung[upper].line->axis, way);
-      if (upper == lower || distance_along < 0.5 * norm(way)) continue;
-      const double limit = mean_over(hung[lower].chain.vertices, depth[upper]);
-      for (const int v : members) {
-        if (line_of[v] == lower && depth[upper][v] < limit) line_of[v] = upper;
+  return lines.empty() ? part.bounds : lines;
+}
+
+// The line that each member hangs from.
+std::vector<int> assign(const RestMesh& rest, const std::vector<int>& members, const std::vector<HungLine>& hung,
+                        const std::vector<std::vector<double>>& depth) {
+  const std::vector<ChainPart> parts = parts_between_chains(rest, members, hung);
+  std::vector<bool> has_own(hung.size(), false);
+  for (const ChainPart& part : parts) {
+    if (part.bounds.size() == 1) has_own[part.bounds.front()] = true;
+  }
+  std::vector<int> line_of(static_cast<std::size_t>(rest.vertex_count()), -1);
+  for (const ChainPart& part : parts) {
+    const std::vector<int> lines = lines_for(part, has_own);
+    for (const int v : part.vertices) {
+      line_of[v] =
+          *std::min_element(lines.begin(), lines.end(), [&](int a, int b) { return depth[a][v] < depth[b][v]; });
+    }
+    // Between two lines one of which hangs below the other, cloth belongs to the upper.
+    for (const int upper : lines) {
+      for (const int lower : lines) {
+        const Vec3 way = middle(hung[lower].chain.positions) - middle(hung[upper].chain.positions);
+        const double distance_along = dot(hung[upper].line->axis, way);
+        if (upper == lower || distance_along < 0.5 * norm(way)) continue;
+        const double limit = mean_over(hung[lower].chain.vertices, depth[upper]);
+        for (const int v : part.vertices) {
+          if (line_of[v] == lower && depth[upper][v] < limit) line_of[v] = upper;
+        }
       }
     }
   }
-  for (int l = 0; l < lines; ++l) {
-    for (const int v : hung[l].chain.vertices) line_of[v] = l;
+  for (std::size_t l = 0; l < hung.size(); ++l) {
+    for (const int v : hung[l].chain.vertices) line_of[v] = static_cast<int>(l);
   }
   return line_of;
 }
@@ -67,7 +84,7 @@ void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vect
   std::vector<std::vector<double>> depth;
   depth.reserve(hung.size());
   for (const HungLine& h : hung) depth.push_back(rest.distance_from(h.chain.vertices));
-  std::vector<int> line_of = assign(members, hung, depth, n);
+  std::vector<int> line_of = assign(rest, members, hung, depth);
   assign_legs(rest, members, hung, line_of);
 
   std::vector<bool> free = in_component;
@@ -83,9 +100,10 @@ void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vect
       place_leg(rest, hung, static_cast<int>(l), line_of, body, clearance, positions);
       continue;
     }
-    const std::vector<double> fraction = winding(rest, chain, depth[l], in_component);
     std::vector<bool> own(n, false);
     for (const int v : members) own[v] = line_of[v] == static_cast<int>(l) && std::isfinite(depth[l][v]);
+    const std::optional<std::vector<double>> round_a_tube = tube_winding(rest, chain, own);
+    const std::vector<double> fraction = round_a_tube ? *round_a_tube : winding(rest, chain, depth[l], in_component);
     const Fullness fullness = measure_fullness(rest, fraction, depth[l], own, chain.curve.length());
     const Envelope envelope(*hung[l].line, chain.curve, fullness, body, clearance);
     for (const int v : members) {

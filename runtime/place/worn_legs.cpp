@@ -6,6 +6,7 @@
 #include <numbers>
 #include <optional>
 
+#include "runtime/place/chain_parts.hpp"
 #include "runtime/place/fullness.hpp"
 #include "runtime/place/leg_rings.hpp"
 #include "runtime/place/winding.hpp"
@@ -47,45 +48,6 @@ void lay_between_known(const std::map<int, Vec3>& known, HangingChain& chain) {
   if (fixed.size() < 2) return;
   if (chain.worn->closed) fixed.push_back(fixed.front() + chain.vertices.size());
   for (std::size_t k = 0; k + 1 < fixed.size(); ++k) lay_between(chain, fixed[k], fixed[k + 1]);
-}
-
-bool touches(const RestMesh& rest, int vertex, const std::vector<bool>& marked) {
-  const auto& triangles = rest.triangles_at(vertex);
-  return std::any_of(triangles.begin(), triangles.end(), [&](int t) {
-    const auto& corners = rest.cloth().triangles[t].vertices;
-    return std::any_of(corners.begin(), corners.end(), [&](int v) { return marked[v]; });
-  });
-}
-
-std::vector<bool> on_any_chain(const std::vector<HungLine>& hung, std::size_t vertex_count) {
-  std::vector<bool> on_chain(vertex_count, false);
-  for (const HungLine& h : hung) {
-    for (const int v : h.chain.vertices) on_chain[v] = true;
-  }
-  return on_chain;
-}
-
-// Parts of the cloth that the chains cut asunder, chains not included.
-std::vector<std::vector<int>> parts(const RestMesh& rest, const std::vector<int>& members,
-                                    const std::vector<bool>& on_chain) {
-  std::vector<std::vector<int>> found;
-  std::vector<bool> seen = on_chain;
-  for (const int seed : members) {
-    if (seen[seed]) continue;
-    seen[seed] = true;
-    std::vector<int> part{seed};
-    for (std::size_t i = 0; i < part.size(); ++i) {
-      for (const int t : rest.triangles_at(part[i])) {
-        for (const int v : rest.cloth().triangles[t].vertices) {
-          if (seen[v]) continue;
-          seen[v] = true;
-          part.push_back(v);
-        }
-      }
-    }
-    found.push_back(std::move(part));
-  }
-  return found;
 }
 
 // The line along whose leg a part goes: of those that bound it, the one nearest to all that bounds it.
@@ -190,7 +152,7 @@ void run_between_other_lines(std::vector<HungLine>& hung) {
 void assign_legs(const RestMesh& rest, const std::vector<int>& members, const std::vector<HungLine>& hung,
                  std::vector<int>& line_of) {
   if (std::none_of(hung.begin(), hung.end(), [](const HungLine& h) { return runs_along_axis(*h.line); })) return;
-  for (const std::vector<int>& part : parts(rest, members, on_any_chain(hung, line_of.size()))) {
+  for (const auto& [part, bounds] : parts_between_chains(rest, members, hung)) {
     const std::optional<int> leg = leg_of(rest, part, hung, line_of.size());
     if (!leg) continue;
     for (const int v : part) line_of[v] = *leg;

@@ -10,6 +10,8 @@ namespace toile {
 namespace {
 
 const std::map<std::string, std::vector<std::string>> examples{
+    {"blouse", {"blouse.svg", "blouse.png", "blouse.report.json"}},
+    {"graded_skirt", {"skirt.svg", "skirt.png", "skirt.report.json"}},
     {"flared_skirt", {"skirt.svg", "skirt.png", "strain.png", "skirt.glb", "skirt.report.json"}},
     {"tight_skirt", {"skirt.svg", "skirt.png", "pressure.png", "skirt.report.json"}},
     {"cape", {"cape.svg", "cape.png", "cape.report.json"}},

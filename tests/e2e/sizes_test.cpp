@@ -37,6 +37,30 @@ TEST(SizesOnTheCommandLine, OneOrAllOfThem) {
   EXPECT_FALSE(call.scratch.read("flag-L.svg").empty());
 }
 
+TEST(SizesOnTheCommandLine, EverySizeOfAStandardTableInOneRun) {
+  const CommandLine call;
+  const Called drafted = call.toile(
+      fmt::format("draft '{}/examples/graded_skirt/graded_skirt.toile' -o skirt.svg --size all", TOILE_SOURCE_DIR));
+  EXPECT_EQ(drafted.exit_code, 0) << drafted.err;
+  for (const char* size : {"6", "8", "10", "12", "14", "16", "18", "20", "22", "24"}) {
+    EXPECT_FALSE(call.scratch.read(fmt::format("skirt-{}.svg", size)).empty()) << size;
+  }
+}
+
+TEST(SizesOnTheCommandLine, EveryFigureOfTheStandardTablesHasItsForm) {
+  const CommandLine call;
+  for (const char* table : {"women", "men", "children"}) {
+    call.scratch.write("form.toile",
+                       fmt::format("import bodies\nimport sizing\nbody form = bodies.dress_form(sizing.{0}...)\n"
+                                   "expect abs(form.waist.girth - sizing.{0}.waist) < 1um\n"
+                                   "expect abs(form.bust.girth - sizing.{0}.bust) < 1um\n",
+                                   table));
+    const Called ran = call.toile("run form.toile --size all --quiet");
+    EXPECT_EQ(ran.exit_code, 0) << table << ran.err;
+    EXPECT_EQ(ran.err, "") << table;
+  }
+}
+
 TEST(SizesOnTheCommandLine, AnUnknownOneIsAnErrorOfTheScript) {
   const CommandLine call;
   call.scratch.write("flag.toile", flag);

@@ -71,6 +71,17 @@ TEST_F(Tooling, ExplainSaysWhatACodeMeans) {
   EXPECT_THAT(unknown.err, HasSubstr("`E0201`"));
 }
 
+TEST_F(Tooling, DocWritesAModulesReference) {
+  const Called page = call.toile("doc blocks");
+  EXPECT_EQ(page.exit_code, 0) << page.err;
+  EXPECT_THAT(page.out, StartsWith("# blocks\n\nBasic blocks:"));
+  EXPECT_THAT(page.out, HasSubstr("### `set_in_sleeve(front_scye, back_scye, cap_height, length = 52cm,"));
+  EXPECT_THAT(call.toile("doc").out, HasSubstr("blocks\nbodies\nfabrics\n"));
+  const Called unknown = call.toile("doc block");
+  EXPECT_EQ(unknown.exit_code, 4);
+  EXPECT_THAT(unknown.err, HasSubstr("`blocks`"));
+}
+
 TEST_F(Tooling, SarifIsOneLogOfAllFindings) {
   call.scratch.write("a b.toile", "let hem = 3cm\nlet hem = 4cm\n");
   call.scratch.write("c.toile", "let girth = 68cm + 3deg\n");

@@ -88,10 +88,11 @@ TEST(Sizes, RowsFitTheirTable) {
   EXPECT_THAT(Script("sizes t(a, a) {\n  M 1cm, 2cm\n}\n").told(), ElementsAre(StartsWith("E0102 1:12 ")));
 }
 
-TEST(Sizes, AWaistLargerThanItsHipIsUnlikely) {
-  const Script script("sizes t(hip, waist) {\n  S 90cm, 64cm\n  M 68cm, 94cm\n}\nprint t.waist\n");
-  EXPECT_THAT(script.told(), ElementsAre("W0410 3:3 size `M` has a waist of 94 cm and a hip of 68 cm"));
-  EXPECT_TRUE(script.program->ok());
+TEST(Sizes, OfAModuleOnlyTheTablesThatAreUsedFollowTheChoice) {
+  const std::string text = "import sizing\nprint sizing.women.waist\n";
+  EXPECT_THAT(Sized(text, "8").printed(), ElementsAre("68 cm"));
+  EXPECT_EQ(Sized(text, "").program->sizes().size(), 10u);
+  EXPECT_THAT(Sized(text, "92").told(), ElementsAre(StartsWith("E0118 ")));
 }
 
 }  // namespace

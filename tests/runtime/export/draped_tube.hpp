@@ -109,7 +109,13 @@ inline DrapedTube draped_tube(int folds = 0, double wave = 0) {
   tube.mesh.s.topology.boundary_loops = 2;
   tube.cloth = make_cloth(tube.mesh);
 
-  SMesh::WornLine waist{.wear = 0, .vertices = {}, .arc = {}, .length = 2 * kColumns * kSquare, .closed = true};
+  SMesh::WornLine waist{.wear = 0,
+                        .vertices = {},
+                        .arc = {},
+                        .length = 2 * kColumns * kSquare,
+                        .closed = true,
+                        .centre = 0,
+                        .pieces = {0}};
   for (int i = 0; i < 2 * kColumns; ++i) {
     waist.vertices.push_back(tube.mesh.s.s_of_p[static_cast<std::size_t>(point(i / kColumns, i % kColumns, 0))]);
     waist.arc.push_back(i * kSquare);

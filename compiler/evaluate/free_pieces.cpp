@@ -1,0 +1,95 @@
+#include "compiler/evaluate/free_pieces.hpp"
+
+#include <fmt/format.h>
+
+#include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/names.hpp"
+
+namespace toile {
+namespace {
+
+/// The parameters' names are those of a garment that has no other piece.
+PieceInstance& drawn(Session& session, const Scope& scope, const syntax::Piece& written, const std::string& name,
+                     const std::vector<std::optional<Given>>& arguments) {
+  GarmentInstance& around = *session.garment_instances.emplace_back(std::make_unique<GarmentInstance>());
+  std::string kinds;
+  for (const auto& argument : arguments) kinds += argument ? signature(argument->value) : "-";
+  around.scope = std::make_unique<Scope>(scope.module(), &scope, false, kinds);
+  around.draft.name = name;
+  if (const auto parameters = written.parameters()) define_parameters(session, *around.scope, *parameters, arguments);
+  around.pieces.push_back(std::make_unique<PieceInstance>());
+  PieceInstance& piece = *around.pieces.back();
+  piece.name = name;
+  piece.garment = &around;
+  piece.written = written;
+  PiecePlanner(session, around).plan_all();
+  piece.scope = std::make_unique<Scope>(scope.module(), around.scope.get());
+  define_piece_names(session, piece);
+  for (const auto& parameter : around.scope->definitions()) force(session, *parameter);
+  return piece;
+}
+
+/// The piece that a value is; null for none, which is reported.
+PieceInstance* as_piece(Session& session, const Value& value, Location at) {
+  if (const auto* piece = value.as<PieceRef>()) return *piece;
+  if (value.unknown()) return nullptr;
+  const auto* form = value.as<PieceTemplateRef>();
+  if (form == nullptr) {
+    session.report.add(
+        Problem("E0202", "a piece is wanted here, and this is " + describe(value)).at(at, describe(value)));
+    return nullptr;
+  }
+  for (const Formal& formal : formals_of(session, (*form)->scope->module(), (*form)->written.parameters())) {
+    if (formal.optional) continue;
+    session.report.add(
+        Problem("E0108", fmt::format("piece `{}` needs `{}`", (*form)->name, formal.name)).at(at, "not given here"));
+    return nullptr;
+  }
+  const Value made = instantiate(session, **form, {});
+  const auto* piece = made.as<PieceRef>();
+  return piece == nullptr ? nullptr : *piece;
+}
+
+}  // namespace
+
+void define_free_piece(Session& session, Scope& scope, const syntax::Piece& written) {
+  const std::string name = session.name_of(scope.module(), written.name());
+  if (written.parameters()) {
+    session.piece_templates.push_back({written, &scope, name});
+    define(session, scope, written.name(),
+           [piece = PieceTemplateRef{&session.piece_templates.back()}]() -> Value { return piece; });
+    return;
+  }
+  define(session, scope, written.name(), [&session, &scope, written, name]() -> Value {
+    if (const auto taken = written.taken()) return evaluate(session, scope, taken);
+    PieceInstance& piece = drawn(session, scope, written, name, {});
+    draft_piece(session, piece);  // mistakes are told though no garment may ever take it
+    return PieceRef{&piece};
+  });
+}
+
+Value instantiate(Session& session, const PieceTemplate& piece, const std::vector<std::optional<Given>>& arguments) {
+  if (session.supposing > 0) return Unknown{};  // nothing is cut on supposition
+  return PieceRef{&drawn(session, *piece.scope, piece.written, piece.name, arguments)};
+}
+
+Value take(Session& session, PieceInstance& piece) {
+  const auto written = piece.written.taken();
+  const Scope& scope = *piece.garment->scope;
+  piece.taken = as_piece(session, evaluate(session, scope, written), scope.module().at(*written));
+  piece.sound = piece.taken != nullptr;
+  return piece.sound ? Value{PieceRef{piece.taken}} : Value{};
+}
+
+DraftPiece draft_taken(Session& session, PieceInstance& piece) {
+  const Module& module = piece.garment->scope->module();
+  DraftPiece draft;
+  if (piece.taken != nullptr && piece.taken->sound) draft = draft_piece(session, *piece.taken);
+  piece.sound = piece.sound && piece.taken != nullptr && piece.taken->sound;
+  draft.name = piece.name;
+  const auto name = piece.written.name();
+  draft.written = name ? module.at(*name) : module.at(piece.written);
+  return draft;
+}
+
+}  // namespace toile
