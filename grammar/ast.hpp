@@ -153,7 +153,7 @@ struct Body : ViewOf<Kind::Body> {
   std::optional<Expr> base() const { return after<Expr>(*this, Kind::Assign); }
 };
 
-/// items() are Lets, Params, Fns, Pieces, Sews and Wears.
+/// items() are Lets, Params, Fns, Pieces, Sews, Wears and Arranges.
 struct Garment : ViewOf<Kind::Garment> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
@@ -287,6 +287,13 @@ struct Wear : ViewOf<Kind::Wear> {
   std::optional<Chain> chain() const { return child<Chain>(*this); }
   std::optional<Expr> line() const { return after<Expr>(*this, Kind::KwAt); }
   std::vector<WearOption> options() const { return all<WearOption>(*this); }
+};
+
+/// arrange sleeve at (20cm, 0cm, 120cm) turned (0deg, 40deg, 0deg)
+struct Arrange : ViewOf<Kind::Arrange> {
+  std::optional<Token> piece() const { return after<Token>(*this, Kind::KwArrange); }
+  std::optional<Expr> place() const { return after<Expr>(*this, Kind::KwAt); }
+  std::optional<Expr> turn() const { return after<Expr>(*this, Kind::KwTurned); }
 };
 
 // ------------------------------------------------------------------------------------------------------- commands

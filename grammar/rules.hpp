@@ -195,7 +195,10 @@ struct wear_option
     : node<Kind::WearOption, pegtl::sor<word<Kind::KwHeld>, word<Kind::KwPlaced>, with_value<Kind::KwFrom>>> {};
 struct wear : line<Kind::Wear, word<Kind::KwWear>, chain, word<Kind::KwAt>, expression, pegtl::star<wear_option>> {};
 
-struct garment_item : pegtl::sor<let, solve, piece, sew, wear, param, fn> {};
+struct arrange : line<Kind::Arrange, word<Kind::KwArrange>, any_name, word<Kind::KwAt>, expression,
+                      pegtl::opt<with_value<Kind::KwTurned>>> {};
+
+struct garment_item : pegtl::sor<let, solve, piece, sew, wear, arrange, param, fn> {};
 struct garment_block : block<garment_words, garment_item> {};
 struct garment
     : statement<Kind::Garment, word<Kind::KwGarment>, to_block<garment_block>, any_name, pegtl::opt<parameters>,

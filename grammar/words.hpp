@@ -44,8 +44,8 @@ inline constexpr StatementWords file_words =
     statement_words(Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwSolve, Kind::KwFabric,
                     Kind::KwTextile, Kind::KwSizes, Kind::KwBody, Kind::KwGarment, Kind::KwPiece, Kind::KwDrape,
                     Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
-inline constexpr StatementWords garment_words =
-    statement_words(Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear);
+inline constexpr StatementWords garment_words = statement_words(
+    Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear, Kind::KwArrange);
 inline constexpr StatementWords piece_words =
     statement_words(Kind::KwLet, Kind::KwSolve, Kind::KwOutline, Kind::KwHole, Kind::KwFold, Kind::KwCut, Kind::KwGrain,
                     Kind::KwDart, Kind::KwNotch, Kind::KwAllowance, Kind::KwLabel);

@@ -101,6 +101,14 @@ void emit_garment(std::string& out, const Garment& garment) {
     out += fmt::format("  wear {} at {} {} from {}\n", chain(wear.chain, garment), wear.line,
                        wear.held ? "held" : "placed", format_number(wear.from, 9));
   }
+  const auto triple = [](const std::array<double, 3>& v, double scale) {
+    return fmt::format("({}, {}, {})", format_number(scale * v[0], 6), format_number(scale * v[1], 6),
+                       format_number(scale * v[2], 6));
+  };
+  for (const Arrangement& at : garment.arrangements) {
+    out += fmt::format("  arrange {} at {} across {} up {}\n", garment.pieces[static_cast<std::size_t>(at.piece)].name,
+                       triple(at.origin, 1000), triple(at.across, 1), triple(at.up, 1));
+  }
 }
 
 }  // namespace

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include "compiler/evaluate/arranging.hpp"
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/free_pieces.hpp"
@@ -36,6 +37,7 @@ class GarmentBuilder {
     for (const syntax::View item : syntax::items(garment_.written)) {
       if (const auto sew = syntax::as<syntax::Sew>(item)) read_seam(session_, garment_, *sew);
       if (const auto wear = syntax::as<syntax::Wear>(item)) read_wear(session_, garment_, *wear);
+      if (const auto arrange = syntax::as<syntax::Arrange>(item)) read_arrangement(session_, garment_, *arrange);
     }
     if (garment_.sound) make();
     return garment_;

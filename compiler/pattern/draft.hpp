@@ -2,6 +2,7 @@
 // cuts darts, pairs seams and checks the geometry.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -85,11 +86,21 @@ struct DraftWear {
   Location written;
 };
 
+/// A piece stands upright at first and faces the front: its drawing's x goes to the wearer's left, its y up. Then it is
+/// turned about the axes in space through its origin, x (to the left), y (to the back) and z (up), one after the other.
+struct DraftArrangement {
+  std::string piece;
+  std::array<double, 3> at{};    // [m] of the drawing's origin
+  std::array<double, 3> turn{};  // [rad]
+  Location written;
+};
+
 struct DraftGarment {
   std::string name;
   std::vector<DraftPiece> pieces;
   std::vector<DraftSeam> seams;
   std::vector<DraftWear> wears;
+  std::vector<DraftArrangement> arrangements;
   FabricSheet fabric;
   Textile textile;
   Location written;
@@ -116,6 +127,8 @@ struct DraftGarment {
 /// Lengths. The two sides of a seam agree within 0.5 mm or a thousandth of the longer one. With `ease`, `gather` or
 /// `stretch` either may be the longer: the difference must not exceed the stated amount, and where none is stated, a
 /// tenth of the longer one for ease and stretch, anything for gather.
+///
+/// Arranging. A mirrored copy stands opposite to the drawn one, on the other side of x = 0.
 ///
 /// Mirrored pairs. `cut 2 mirrored` is one pair: each of its two Pieces has half the quantity. The copy is reflected in
 /// x = 0, its grain with it.

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "compiler/pattern/arrangements.hpp"
 #include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/draft.hpp"
 #include "compiler/pattern/findings.hpp"
@@ -9,7 +10,7 @@ namespace toile {
 
 Garment make_garment(const DraftGarment& draft, std::vector<Diagnostic>& diagnostics) {
   Findings findings(diagnostics);
-  Garment garment{draft.name, {}, {}, {}, draft.fabric, draft.textile, draft.written};
+  Garment garment{draft.name, {}, {}, {}, {}, draft.fabric, draft.textile, draft.written};
   for (const DraftPiece& piece : draft.pieces) {
     for (Piece& cut : cut_piece(piece, findings)) garment.pieces.push_back(std::move(cut));
   }
@@ -28,6 +29,7 @@ Garment make_garment(const DraftGarment& draft, std::vector<Diagnostic>& diagnos
   // What hangs together can only be judged when all pieces and seams are known.
   const bool complete = findings.errors() == 0;
   garment.wears = resolve_wears(draft, garment.pieces, corners, complete, findings);
+  garment.arrangements = resolve_arrangements(draft, garment.pieces);
   check_worn_once(garment.wears, garment.pieces, findings);
   check_lengths(draft, seams, garment.pieces, findings);
   if (complete) check_ties(draft, garment, findings);

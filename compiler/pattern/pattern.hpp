@@ -3,6 +3,7 @@
 // drawing and the runtime. Nothing here refers to syntax but for the Locations that say where a thing was written.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <string>
 #include <vector>
@@ -108,11 +109,19 @@ struct Wear {
   Location written;
 };
 
+/// Where a piece is put in space before it is sewn: its drawing's origin [m], and unit vectors of its x and its y.
+struct Arrangement {
+  PieceId piece = 0;
+  std::array<double, 3> origin{}, across{}, up{};
+  Location written;
+};
+
 struct Garment {
   std::string name;
   std::vector<Piece> pieces;
   std::vector<Seam> seams;
   std::vector<Wear> wears;
+  std::vector<Arrangement> arrangements;
   FabricSheet fabric;
   Textile textile;
   Location written;

@@ -87,6 +87,7 @@ Table table_of(Kind kind) {
     case Kind::Dart:
     case Kind::Notch:
     case Kind::Label:
+    case Kind::Arrange:
       return Table::Detail;
     case Kind::BodyPart:
       return Table::Part;

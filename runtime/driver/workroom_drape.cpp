@@ -67,6 +67,19 @@ std::optional<FabricSheet> Workroom::replacement_fabric() {
   return probed->garments().back().fabric;
 }
 
+namespace {
+
+std::vector<ArrangedPiece> arranged(const Garment& garment) {
+  const auto vec = [](const std::array<double, 3>& v) { return Vec3{v[0], v[1], v[2]}; };
+  std::vector<ArrangedPiece> pieces;
+  for (const Arrangement& at : garment.arrangements) {
+    pieces.push_back({at.piece, vec(at.origin), vec(at.across), vec(at.up)});
+  }
+  return pieces;
+}
+
+}  // namespace
+
 std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   Draped draped;
   draped.made = make(command.garment);
@@ -90,7 +103,8 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
     levels.push_back({&level.mesh, &level.cloth});
   levels.push_back({&draped.made->mesh, &draped.made->cloth});
   const Garment& garment = draped.made->garment;
-  DrapedLevels result = drape_levels(levels, garment.wears, garment.fabric, draped.body.get(), options, job_);
+  DrapedLevels result =
+      drape_levels(levels, garment.wears, arranged(garment), garment.fabric, draped.body.get(), options, job_);
   profile_.place_s += result.place_seconds;
   profile_.solve_s += result.solve_seconds;
   if (!result.error.empty()) {

@@ -9,6 +9,7 @@
 #include <string_view>
 
 #include "grammar/scan.hpp"
+#include "runtime/import/arrangement.hpp"
 #include "runtime/import/names.hpp"
 
 namespace toile {
@@ -18,6 +19,7 @@ namespace {
 constexpr double length_tolerance = 0.5e-3;  // [m]
 constexpr double relative_tolerance = 1e-3;
 constexpr double most_ease = 0.1;  // of the longer side
+constexpr const char* waist_label = "lower_interface";
 constexpr double most_gather = 4;  // times the shorter side; nobody gathers more
 
 /// At most `decimals` of them, none that is superfluous, and no -0.
@@ -37,11 +39,6 @@ std::string written(double metres) {
 
 std::string written(Vec2 point) {
   return fmt::format("({}, {})", written(point.x), written(point.y));
-}
-
-std::string written(const std::array<double, 3>& values, int decimals) {
-  return fmt::format("({}, {}, {})", plain(values[0], decimals), plain(values[1], decimals),
-                     plain(values[2], decimals));
 }
 
 /// To 0.1 mm, less than what a seam lets pass in addition to what is stated.
@@ -80,16 +77,21 @@ class Writer {
     name_all();
     const std::string garment = name_like(std::filesystem::path(source_).stem().string(), "garment_1");
     put("// Imported from {}, a pattern of GarmentCode.\n", in_one_line(source_));
-    if (std::ranges::any_of(pattern_.panels, [](const ForeignPanel& panel) { return panel.placement.has_value(); })) {
-      put("// Above each piece stands where the source puts its origin, in cm, x to the wearer's left,\n");
-      put("// y up and z to the front, and how it turns the piece: Euler angles XYZ in degrees.\n");
-    }
+    const bool is_arranged =
+        std::ranges::any_of(pattern_.panels, [](const ForeignPanel& panel) { return panel.placement.has_value(); });
+    if (is_arranged) put("import bodies\n");
     put("import fabrics\n\n");
+    if (is_arranged)
+      put("// The source does not bring its body; any may stand here.\nbody form = bodies.dress_form()\n\n");
     put("// The source names no cloth; any may stand here.\ngarment {} in fabrics.cotton_shirting {{\n", garment);
     for (std::size_t i = 0; i < pattern_.panels.size(); ++i) write_piece(i);
     if (!pattern_.stitches.empty()) put("\n");
     for (const ForeignStitch& stitch : pattern_.stitches) write_seam(stitch);
+    if (is_arranged) write_wear();
+    put("\n");
+    for (std::size_t i = 0; i < pattern_.panels.size(); ++i) write_arrangement(i);
     put("}}\n");
+    if (is_arranged) put("\ndrape {} on form as worn\n", garment);
     return std::move(script_);
   }
 
@@ -101,7 +103,7 @@ class Writer {
 
   void name_all() {
     Names pieces;
-    pieces.take("fabrics");  // a piece of that name would hide the module
+    for (const char* taken : {"fabrics", "bodies", "form"}) pieces.take(taken);  // a piece would hide what is called so
     for (const ForeignPanel& panel : pattern_.panels) {
       piece_names_.push_back(pieces.take(name_like(panel.name, "panel")));
       Names edges;
@@ -129,12 +131,38 @@ class Writer {
   }
 
   void write_origin(const ForeignPanel& panel) {
-    std::string line = in_one_line(panel.part);
-    if (panel.placement) {
-      line += fmt::format("{}at {}, turned by {}", line.empty() ? "" : "; ", written(panel.placement->translation, 4),
-                          written(panel.placement->rotation, 4));
-    }
+    const std::string line = in_one_line(panel.part);
     if (!line.empty()) put("// {}\n", line);
+  }
+
+  void write_arrangement(std::size_t number) {
+    const ForeignPanel& panel = pattern_.panels[number];
+    if (!panel.placement) return;
+    const ScriptPlace place = script_place(*panel.placement, twice_area(panel) < 0);
+    put("arrange {} at ({}, {}, {})", piece_names_[number], written(place.at[0]), written(place.at[1]),
+        written(place.at[2]));
+    const auto angle = [](double degrees) { return plain(degrees, 4) + "deg"; };
+    if (std::ranges::any_of(place.turn, [](double degrees) { return std::abs(degrees) > 1e-6; })) {
+      put(" turned ({}, {}, {})", angle(place.turn[0]), angle(place.turn[1]), angle(place.turn[2]));
+    }
+    put("\n");
+  }
+
+  /// The source marks edges that its simulation holds at the waist.
+  void write_wear() {
+    std::vector<std::string> held;
+    for (std::size_t i = 0; i < pattern_.panels.size(); ++i) {
+      for (std::size_t e = 0; e < pattern_.panels[i].edges.size(); ++e) {
+        if (pattern_.panels[i].edges[e].label == waist_label && !is_sewn({i, e})) held.push_back(end_name({i, e}));
+      }
+    }
+    if (!held.empty()) put("\nwear {} at form.waist\n", fmt::join(held, " + "));
+  }
+
+  bool is_sewn(const ForeignEnd& end) const {
+    const auto same = [&](const ForeignEnd& other) { return other.panel == end.panel && other.edge == end.edge; };
+    return std::ranges::any_of(pattern_.stitches,
+                               [&](const ForeignStitch& stitch) { return same(stitch.first) || same(stitch.second); });
   }
 
   template <typename Shown>
