@@ -28,15 +28,18 @@ bool check_unfolded(const DraftPiece& draft, const Piece& whole, Findings& findi
 
 }  // namespace
 
-std::vector<Piece> cut_piece(const DraftPiece& draft, Findings& findings) {
+std::vector<Piece> cut_piece(const DraftPiece& draft, const PieceUse& use, Findings& findings) {
   if (!check_outline(draft, findings)) return {};
   DrawnPiece drawn = drawn_piece(draft);
   // Each check reports for itself, so that one look shows all that is wrong with a piece.
   const bool holes = check_holes(draft, findings);
   const bool allowances = check_allowances(draft, findings);
   const bool fold = !draft.fold || check_fold(draft, drawn, findings);
-  const bool marks = cut_darts_and_notches(draft, drawn, findings);
-  if (!holes || !allowances || !fold || !marks) return {};
+  const bool marks = cut_darts(draft, drawn, findings) && pivot_darts(draft, drawn, findings) &&
+                     finish_darts(draft, drawn, findings) && cut_pleats(draft, use, drawn, findings);
+  for (const DraftPlace& place : use.divisions) divide_at(drawn, place.edge, place.at);
+  const bool notches = set_notches(draft, drawn, findings);
+  if (!holes || !allowances || !fold || !marks || !notches) return {};
   if (draft.fold) {
     Piece whole = unfolded(drawn.piece, *draft.fold);
     if (!check_unfolded(draft, whole, findings)) return {};
