@@ -45,6 +45,7 @@ struct DrawnPiece {
   std::vector<CutDart> darts;
   std::vector<CutTurn> turns;
   std::vector<DraftNotch> fold_notches;  // at the ends of pleats
+  std::vector<DraftPlace> crease_ends;   // on the edges opposite
 
   int loop_count() const { return 1 + static_cast<int>(piece.holes.size()); }
   std::vector<PieceEdge>& loop(int i) { return i == 0 ? piece.edges : piece.holes[i - 1]; }

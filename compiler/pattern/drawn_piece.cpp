@@ -58,6 +58,7 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   }
   piece.marks = draft.marks;
   piece.spots = draft.spots;
+  piece.label = draft.label;
   return drawn;
 }
 

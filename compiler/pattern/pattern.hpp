@@ -114,6 +114,7 @@ struct Piece {
   std::vector<LineMark> marks;
   std::vector<PointMark> spots;
   int quantity = 1;
+  std::string label;  // what is written on it
   Location written;
 
   /// All edges in one numbering: those of the outline, then those of the holes, hole by hole.

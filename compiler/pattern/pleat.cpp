@@ -163,35 +163,43 @@ class PleatCutter {
   void add_line(double at, LineMark::Kind kind, const EdgePlace& middle) {
     const auto from = find_place(drawn_, pleat_.place.edge, at);
     if (!from) return;
-    const Vec2 start = drawn_.loop(from->loop)[from->edge].curve.at(from->s);
-    std::optional<Vec2> end;
-    if (pleat_.other_end) {
-      if (const auto to = find_place(drawn_, pleat_.other_end->edge, other_at(at))) {
-        end = drawn_.loop(to->loop)[to->edge].curve.at(to->s);
-      }
-    } else {
-      end = across(start, perpendicular(drawn_.loop(middle.loop)[middle.edge].curve.tangent(middle.s)));
+    const Vec2 start = point_at(*from);
+    const Vec2 inwards = perpendicular(drawn_.loop(middle.loop)[middle.edge].curve.tangent(middle.s));
+    const auto to =
+        pleat_.other_end ? find_place(drawn_, pleat_.other_end->edge, other_at(at)) : across(start, inwards);
+    if (!to || distance(start, point_at(*to)) < kMeets) return;
+    const Vec2 end = point_at(*to);
+    drawn_.piece.marks.push_back({kind, line(start, end), pleat_.written});
+    // A crease ends at a node of the edge opposite.
+    const PieceEdge& opposite = drawn_.loop(to->loop)[to->edge];
+    if (kind != LineMark::Kind::Placement && !opposite.is_dart_leg) {
+      drawn_.crease_ends.push_back({opposite.name, drawn_place(drawn_, *to)});
     }
-    if (!end || distance(start, *end) < kMeets) return;
-    drawn_.piece.marks.push_back({kind, line(start, *end), pleat_.written});
     if (pleat_.stitched > 0 && kind == LineMark::Kind::Fold) {
-      const double along = std::min(pleat_.stitched, distance(start, *end));
-      const Vec2 tip = start + along / distance(start, *end) * (*end - start);
+      const double along = std::min(pleat_.stitched, distance(start, end));
+      const Vec2 tip = start + along / distance(start, end) * (end - start);
       drawn_.piece.marks.push_back({LineMark::Kind::Line, line(start, tip), pleat_.written});
     }
   }
 
+  Vec2 point_at(const EdgePlace& place) const { return drawn_.loop(place.loop)[place.edge].curve.at(place.s); }
+
   // Straight into the piece, up to the edge that lies opposite.
-  std::optional<Vec2> across(Vec2 start, Vec2 inwards) const {
+  std::optional<EdgePlace> across(Vec2 start, Vec2 inwards) const {
     constexpr double kFar = 100;  // [m] no piece is larger
     const Curve ray = line(start, start + kFar * inwards);
     double nearest = kFar;
-    for (int i = 0; i < drawn_.piece.edge_count(); ++i) {
-      for (const Crossing& met : crossings(ray, drawn_.piece.edge(i).curve)) {
-        if (met.s_first > 1e-4) nearest = std::min(nearest, met.s_first);
+    std::optional<EdgePlace> met;
+    for (int l = 0; l < drawn_.loop_count(); ++l) {
+      for (int i = 0; i < static_cast<int>(drawn_.loop(l).size()); ++i) {
+        for (const Crossing& crossing : crossings(ray, drawn_.loop(l)[i].curve)) {
+          if (crossing.s_first < 1e-4 || crossing.s_first >= nearest) continue;
+          nearest = crossing.s_first;
+          met = EdgePlace{l, i, crossing.s_second};
+        }
       }
     }
-    return nearest < kFar ? std::optional(start + nearest * inwards) : std::nullopt;
+    return met;
   }
 
   const DraftPiece& draft_;
@@ -214,6 +222,11 @@ bool cut_pleats(const DraftPiece& draft, const PieceUse& use, DrawnPiece& drawn,
     }
     const bool joined = pleat.other_end && use.joined.contains(pleat.other_end->edge);
     PleatCutter(draft, pleat, drawn, findings).cut(joined);
+  }
+  for (const DraftPlace& end : drawn.crease_ends) {
+    const bool is_folded = std::any_of(drawn.turns.begin(), drawn.turns.end(),
+                                       [&](const CutTurn& turn) { return turn.edge == end.edge; });
+    if (!is_folded) divide_at(drawn, end.edge, end.at);
   }
   return findings.errors() == before;
 }

@@ -164,6 +164,9 @@ class Sheet {
     const std::string quantity = fmt::format("cut {}{}", piece_.quantity, piece_.fold ? ", unfolded" : "");
     std::string drawing = svg::text("bold", name.at + Vec2{0, 0.6 * size}, size, piece_.name) +
                           svg::text("soft", name.at - Vec2{0, 0.6 * size}, 0.6 * size, quantity);
+    if (!piece_.label.empty()) {
+      drawing += svg::text("soft", name.at - Vec2{0, 1.5 * size}, 0.6 * size, piece_.label);
+    }
     const Spot grain = free_spot(piece_, {name});
     const double length = std::clamp(1.5 * grain.clearance, 0.02, 0.18);
     drawing += arrow(grain.at, piece_.warp, length);

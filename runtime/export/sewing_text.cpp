@@ -32,7 +32,9 @@ class SewingPlan {
     std::string all = fmt::format("{}: order of sewing\n", garment_.name);
     if (!garment_.fabric.name.empty()) all += fmt::format("cloth: {}\n", garment_.fabric.name);
     all += "\ncut\n";
-    for (const Piece& piece : garment_.pieces) all += fmt::format("    {} x {}\n", piece.quantity, piece.name);
+    for (const Piece& piece : garment_.pieces) {
+      all += fmt::format("    {} x {}{}\n", piece.quantity, piece.name, piece.label.empty() ? "" : ": " + piece.label);
+    }
     all += "\nsew\n";
     int number = 0;
     for (const SewingStep& step : steps_) {
