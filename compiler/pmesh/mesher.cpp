@@ -79,12 +79,26 @@ PlaneDomain GarmentMesher::lay_out(PieceState& piece, PieceId id) const {
   return domain;
 }
 
+/// How far a crease is from the nearest other one of its piece [m], by their middles.
+double GarmentMesher::room_beside(const LineMark& crease, const Piece& piece) {
+  const Vec2 middle = crease.curve.at(crease.curve.length() / 2);
+  double nearest = 1e300;
+  for (const LineMark& mark : piece.marks) {
+    if (&mark == &crease || (mark.kind != LineMark::Kind::Fold && mark.kind != LineMark::Kind::InnerFold)) continue;
+    nearest = std::min(nearest, distance(middle, mark.curve.at(mark.curve.length() / 2)));
+  }
+  return nearest;
+}
+
 /// Nodes along the creases of pleats, so that edges lie on them.
 void GarmentMesher::pin_creases(PieceId id, PlaneDomain& domain) const {
   for (const LineMark& mark : garment_.pieces[id].marks) {
     if (mark.kind != LineMark::Kind::Fold && mark.kind != LineMark::Kind::InnerFold) continue;
     const double length = mark.curve.length();
-    const int parts = static_cast<int>(std::ceil(length / (kCreaseSpacing * options_.target_edge)));
+    const double spacing =
+        std::max(kCreaseSpacing * std::min(options_.target_edge, room_beside(mark, garment_.pieces[id])),
+                 pieces_[id].size.shortest);
+    const int parts = static_cast<int>(std::ceil(length / spacing));
     for (int i = 1; i < parts; ++i) domain.pins.push_back(mark.curve.at(length * i / parts));
   }
 }
