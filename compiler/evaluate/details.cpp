@@ -246,6 +246,7 @@ class DetailReader {
       }
     }
     for (const syntax::Flag& flag : pleat.flags()) read_flag(flag, made);
+    check_words(pleat, made);
     const bool box = made.style == PleatStyle::Box;
     const bool told =
         box ? sizes.complete({"depth", "width"}, pleat.span(), "pleat at 50% of waist { box, depth 2cm, width 4cm }")
@@ -260,6 +261,21 @@ class DetailReader {
     made.width = sizes.size("width");
     made.stitched = sizes.size("stitched");
     draft_.pleats.push_back(std::move(made));
+  }
+
+  /// One kind, and a direction only where there is one to choose.
+  void check_words(const syntax::Pleat& pleat, const DraftPleat& made) {
+    int kinds = 0;
+    for (const syntax::Flag& flag : pleat.flags())
+      kinds += flag.word() && flag.word()->kind() != syntax::Kind::KwPressed;
+    if (kinds > 1) {
+      session_.report.add(Problem("E0102", "a pleat is `knife`, `box` or `inverted`").at(made.written));
+      fail();
+    }
+    if (made.style != PleatStyle::Knife && made.pressed) {
+      session_.report.add(Problem("E0103", "only a knife pleat is pressed to a side").at(made.written));
+      fail();
+    }
   }
 
   void read_flag(const syntax::Flag& flag, DraftPleat& pleat) {

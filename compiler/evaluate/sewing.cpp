@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/expression.hpp"
@@ -28,6 +29,7 @@ class SewingReader {
     for (std::size_t i = 2; i < chains.size(); ++i) {
       sound = read_chain(chains[i], seam.layers.emplace_back()) && sound;
     }
+    sound = says_once(sew) && sound;
     for (const syntax::SewOption& option : sew.options()) sound = read_option(option, seam) && sound;
     if (!sound) return fail();
     garment_.draft.seams.push_back(std::move(seam));
@@ -174,6 +176,29 @@ class SewingReader {
         fmt::format("edge `{}` has a drawn and a mirrored side, no `{}`", edge.edge, session_.name_of(module_, wrong)),
         {"drawn", "mirrored"}, "E0103");
     return false;
+  }
+
+  /// A seam is eased or gathered, zipped or buttoned, and has one step.
+  bool says_once(const syntax::Sew& sew) {
+    const auto family = [](syntax::Kind word) {
+      if (word == syntax::Kind::KwGather || word == syntax::Kind::KwStretch) return syntax::Kind::KwEase;
+      return word == syntax::Kind::KwButtoned ? syntax::Kind::KwZipped : word;
+    };
+    std::map<syntax::Kind, syntax::Token> said;
+    bool sound = true;
+    for (const syntax::SewOption& option : sew.options()) {
+      const auto word = option.word();
+      if (!word || word->kind() == syntax::Kind::KwNotch) continue;
+      const auto [before, fresh] = said.try_emplace(family(word->kind()), *word);
+      if (fresh) continue;
+      sound = false;
+      session_.report.add(
+          Problem("E0102", fmt::format("`{}` after `{}`: one of them is too many", session_.text(module_, *word),
+                                       session_.text(module_, before->second)))
+              .at(module_.at(*word))
+              .also(module_.at(before->second), "said here"));
+    }
+    return sound;
   }
 
   bool read_option(const syntax::SewOption& option, DraftSeam& seam) {

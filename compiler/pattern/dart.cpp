@@ -192,17 +192,27 @@ PieceEdge leg(const Wedge& wedge, const char* name, Curve curve) {
 
 void cut_wedge(const Wedge& wedge, DrawnPiece& drawn) {
   std::vector<PieceEdge>& loop = drawn.loop(wedge.edge.loop);
-  EdgePlace end = wedge.edge, begin = wedge.edge;
-  end.s = wedge.end;
-  begin.s = wedge.begin;
-  const double a = drawn_place(drawn, begin), b = drawn_place(drawn, end);
+  const int at = wedge.edge.edge;
+  const bool as_drawn = drawn.as_drawn[wedge.edge.loop];
+  const double a = drawn_place(drawn, {wedge.edge.loop, at, wedge.begin});
+  const double b = drawn_place(drawn, {wedge.edge.loop, at, wedge.end});
   drawn.darts.push_back(
       {wedge.draft, wedge.draft->name, wedge.tip, wedge.draft->edge, {std::min(a, b), std::max(a, b)}, false});
-  int at = wedge.edge.edge;
-  if (wedge.end < loop[at].curve.length() - kSame) divide_edge(drawn, end);
-  if (wedge.begin > kSame) divide_edge(drawn, {begin.loop, at++, begin.s});
-  loop[at] = leg(wedge, ".left", line(wedge.from, wedge.tip));
-  loop.insert(loop.begin() + at + 1, leg(wedge, ".right", line(wedge.tip, wedge.to)));
+  const PieceEdge host = loop[at];
+  const double length = host.curve.length();
+  std::vector<PieceEdge> parts;
+  const auto keep = [&](double from, double to, DrawnSpan span) {
+    if (to - from < kSame) return;
+    PieceEdge& part = parts.emplace_back(host);
+    part.curve = host.curve.part(from, to);
+    part.drawn = span;
+  };
+  keep(0, wedge.begin, as_drawn ? DrawnSpan{host.drawn.from, a} : DrawnSpan{a, host.drawn.to});
+  parts.push_back(leg(wedge, ".left", line(wedge.from, wedge.tip)));
+  parts.push_back(leg(wedge, ".right", line(wedge.tip, wedge.to)));
+  keep(wedge.end, length, as_drawn ? DrawnSpan{b, host.drawn.to} : DrawnSpan{host.drawn.from, b});
+  loop.erase(loop.begin() + at);
+  loop.insert(loop.begin() + at, parts.begin(), parts.end());
 }
 
 // A hole, walked clockwise as holes are.

@@ -38,6 +38,7 @@ std::vector<PieceEdge> directed(const DraftPiece& draft, const std::vector<Draft
   for (PieceEdge& edge : edges) {
     edge.curve = edge.curve.reversed();
     edge.against_drawing = true;
+    edge.drawn = {0, edge.curve.length()};
   }
   return edges;
 }
