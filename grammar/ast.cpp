@@ -19,6 +19,18 @@ std::vector<Property> properties_of(View parent) {
   return properties ? properties->list() : std::vector<Property>{};
 }
 
+std::vector<Flag> flags_of(View parent) {
+  const auto properties = child<Properties>(parent);
+  return properties ? all<Flag>(*properties) : std::vector<Flag>{};
+}
+
+std::optional<Token> corner_of(View parent) {
+  for (const Kind word : {Kind::KwMitred, Kind::KwSquare, Kind::KwMirrored, Kind::KwBevelled}) {
+    if (const auto found = token(parent, word)) return found;
+  }
+  return std::nullopt;
+}
+
 }  // namespace
 
 std::vector<View> items(View parent) {
@@ -70,6 +82,41 @@ std::vector<Property> BodyPart::properties() const {
 }
 std::vector<Property> Dart::properties() const {
   return properties_of(*this);
+}
+std::vector<Flag> Dart::flags() const {
+  return flags_of(*this);
+}
+std::vector<Property> Pleat::properties() const {
+  return properties_of(*this);
+}
+std::vector<Flag> Pleat::flags() const {
+  return flags_of(*this);
+}
+std::vector<Property> Buttonhole::properties() const {
+  return properties_of(*this);
+}
+std::vector<Token> Position::path() const {
+  return names_of(*this);
+}
+std::vector<Token> EdgeAllowance::path() const {
+  return names_of(*this);
+}
+std::optional<Token> EdgeAllowance::corner() const {
+  return corner_of(*this);
+}
+std::optional<Token> Allowance::corner() const {
+  return corner_of(*this);
+}
+std::optional<Token> Pivot::dart() const {
+  // Either a name stands before `to`, or a share of it.
+  const std::vector<Position> positions = all<Position>(*this);
+  if (positions.size() > 1) return positions.front().edge();
+  const auto second = child<Token>(*this, 1);
+  return second && second->kind() == Kind::Name ? second : std::nullopt;
+}
+std::optional<Expr> Pivot::share() const {
+  const std::vector<Position> positions = all<Position>(*this);
+  return positions.size() > 1 ? positions.front().where() : std::nullopt;
 }
 std::vector<Expr> Walk::waypoints() const {
   std::vector<Expr> points;

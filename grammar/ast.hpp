@@ -162,7 +162,8 @@ struct Garment : ViewOf<Kind::Garment> {
 };
 
 /// `piece name(parameters) { … }`, a variation `piece back = front with { … }`, or `piece cuff = parts.cuff(8cm)`.
-/// items() are Let Outline Hole Fold Cut Grain Dart Notch Repeat Allowance Label.
+/// items() are Let Outline Hole Fold Cut Grain Dart Notch Pivot Spread Pleat Mark Drill Buttonhole Button Repeat
+/// Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
@@ -220,35 +221,90 @@ struct Grain : ViewOf<Kind::Grain> {
   std::optional<Expr> angle() const { return child<Expr>(*this); }
 };
 
-/// `55% of waist`: how far along which edge.
+/// `55% of waist`, `3cm of eye.rim`: how far along which edge.
 struct Position : ViewOf<Kind::Position> {
   std::optional<Expr> where() const { return child<Expr>(*this); }
   std::optional<Token> edge() const { return token(*this, Kind::Name); }
+  std::vector<Token> path() const;  // of the edge: two names for one of a hole
 };
 
+/// `trued`, `box`, `pressed left`: a word among the properties of a dart or pleat.
+struct Flag : ViewOf<Kind::Flag> {
+  std::optional<Token> word() const { return child<Token>(*this); }
+  std::optional<Token> direction() const { return child<Token>(*this, 1); }  // KwDown KwUp KwLeft KwRight KwOpen
+};
+
+/// On an edge: position(). Inside the piece: from() one point to() another.
 struct Dart : ViewOf<Kind::Dart> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Position> position() const { return child<Position>(*this); }
+  bool inside() const { return has(*this, Kind::KwFrom); }
+  std::optional<Expr> from() const { return after<Expr>(*this, Kind::KwFrom); }
+  std::optional<Expr> to() const { return after<Expr>(*this, Kind::KwTo); }
   std::vector<Property> properties() const;
+  std::vector<Flag> flags() const;
 };
 
 struct Notch : ViewOf<Kind::Notch> {
   std::optional<Position> position() const { return child<Position>(*this); }
 };
 
-/// for i in 1..4 { notch at i * 5cm of side }. items() are Darts and Notches.
+/// pivot bust to 40% of side; pivot 50% of bust to 40% of side as side_dart
+struct Pivot : ViewOf<Kind::Pivot> {
+  std::optional<Token> dart() const;
+  std::optional<Expr> share() const;  // absent for the whole
+  std::optional<Position> target() const { return after<Position>(*this, Kind::KwTo); }
+  std::optional<Token> alias() const { return after<Token>(*this, Kind::KwAs); }
+};
+
+/// spread 4cm at 50% of hem to 40% of waist; spread 4cm at 50% of hem, 2cm at 40% of waist
+struct Spread : ViewOf<Kind::Spread> {
+  std::optional<Expr> amount() const { return child<Expr>(*this, 0); }
+  std::optional<Expr> other_amount() const { return child<Expr>(*this, 1); }  // absent where the line is hinged
+  std::optional<Position> opened() const { return child<Position>(*this, 0); }
+  std::optional<Position> other() const { return child<Position>(*this, 1); }
+};
+
+/// pleat [NAME] at 30% of waist to 35% of hem { box, depth 3cm, width 4cm }
+struct Pleat : ViewOf<Kind::Pleat> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Position> position() const { return child<Position>(*this, 0); }
+  std::optional<Position> other_end() const { return child<Position>(*this, 1); }
+  std::vector<Property> properties() const;
+  std::vector<Flag> flags() const;
+};
+
+/// A line inside the piece.
+struct Mark : ViewOf<Kind::Mark> {
+  std::optional<Expr> curve() const { return child<Expr>(*this); }
+};
+struct Drill : ViewOf<Kind::Drill> {
+  std::optional<Expr> point() const { return child<Expr>(*this); }
+};
+struct Buttonhole : ViewOf<Kind::Buttonhole> {
+  std::optional<Expr> point() const { return child<Expr>(*this); }
+  std::vector<Property> properties() const;
+};
+struct Button : ViewOf<Kind::Button> {
+  std::optional<Expr> point() const { return child<Expr>(*this); }
+};
+
+/// for i in 1..4 { notch at i * 5cm of side }. items() are Darts, Notches, Pleats, Spreads and marks.
 struct Repeat : ViewOf<Kind::Repeat> {
   std::optional<For> values() const { return child<For>(*this); }
 };
 
 struct EdgeAllowance : ViewOf<Kind::EdgeAllowance> {
   std::optional<Token> edge() const { return token(*this, Kind::Name); }
+  std::vector<Token> path() const;
   std::optional<Expr> width() const { return child<Expr>(*this); }
+  std::optional<Token> corner() const;  // KwMitred KwSquare KwMirrored KwBevelled
 };
 
-/// allowance 1cm, hem 4cm
+/// allowance 1cm, hem 4cm mirrored
 struct Allowance : ViewOf<Kind::Allowance> {
   std::optional<Expr> width() const { return child<Expr>(*this); }
+  std::optional<Token> corner() const;
   std::vector<EdgeAllowance> exceptions() const { return all<EdgeAllowance>(*this); }
 };
 
@@ -256,24 +312,29 @@ struct Label : ViewOf<Kind::Label> {
   std::optional<Expr> text() const { return child<Expr>(*this); }
 };
 
-/// `front.side`, `sleeve.cap.mirrored`: two names or more.
+/// `front.side`, `sleeve.cap.mirrored`: two names or more; `front.side in 0cm..18cm` a part of it.
 struct EdgeRef : ViewOf<Kind::EdgeRef> {
   std::vector<Token> path() const;
+  std::optional<Range> range() const { return child<Range>(*this); }
 };
 
 struct Chain : ViewOf<Kind::Chain> {
   std::vector<EdgeRef> edges() const { return all<EdgeRef>(*this); }
 };
 
-/// word() is KwReversed, KwEase, KwGather or KwStretch; the last three may have an amount.
+/// word() is KwReversed KwZipped KwButtoned KwOpen; KwEase KwGather KwStretch, which may have an amount() and a
+/// range(); KwNotch with places(); KwStep with its number as amount().
 struct SewOption : ViewOf<Kind::SewOption> {
   std::optional<Token> word() const { return child<Token>(*this); }
   std::optional<Expr> amount() const { return child<Expr>(*this); }
+  std::optional<Range> range() const { return child<Range>(*this); }
+  std::vector<Expr> places() const { return all<Expr>(*this); }
 };
 
 struct Sew : ViewOf<Kind::Sew> {
   std::optional<Chain> first() const { return after<Chain>(*this, Kind::KwSew); }
   std::optional<Chain> second() const { return after<Chain>(*this, Kind::KwTo); }
+  std::vector<Chain> chains() const { return all<Chain>(*this); }  // with further layers behind the second
   std::vector<SewOption> options() const { return all<SewOption>(*this); }
 };
 

@@ -151,26 +151,55 @@ struct outline : statement<Kind::Outline, word<Kind::KwOutline>, to_block<edges>
 struct hole : statement<Kind::Hole, word<Kind::KwHole>, to_block<edges>, pegtl::opt<name_before<Kind::KwFrom>>,
                         with_value<Kind::KwFrom>, edges, at_end<>> {};
 
-struct position : node<Kind::Position, expression, word<Kind::KwOf>, any_name> {};
+/// `hem`, or `eye.rim` for the edge of a hole.
+struct edge_name : pegtl::seq<any_name, pegtl::star<sign<Kind::Dot>, any_name>> {};
+struct position : node<Kind::Position, expression, word<Kind::KwOf>, edge_name> {};
 struct fold : line<Kind::Fold, word<Kind::KwFold>, any_name> {};
 struct cut : line<Kind::Cut, word<Kind::KwCut>, expression, pegtl::opt<word<Kind::KwMirrored>>> {};
-struct grain_word
-    : pegtl::sor<word<Kind::KwDown>, word<Kind::KwUp>, word<Kind::KwLeft>, word<Kind::KwRight>, word<Kind::KwBias>> {};
+struct four_ways : pegtl::sor<word<Kind::KwDown>, word<Kind::KwUp>, word<Kind::KwLeft>, word<Kind::KwRight>> {};
+struct grain_word : pegtl::sor<four_ways, word<Kind::KwBias>> {};
 struct grain : line<Kind::Grain, word<Kind::KwGrain>, pegtl::sor<pegtl::seq<grain_word, at_end<>>, expression>> {};
-struct dart : statement<Kind::Dart, word<Kind::KwDart>, to_block<properties>, pegtl::opt<name_before<Kind::KwAt>>,
-                        word<Kind::KwAt>, position, properties, at_end<>> {};
-struct notch : line<Kind::Notch, word<Kind::KwNotch>, word<Kind::KwAt>, position> {};
-struct repeated : block<statement_words(Kind::KwDart, Kind::KwNotch), pegtl::sor<dart, notch>> {};
+
+/// Properties, and words that say enough alone: `{ box, depth 3cm, pressed left }`.
+struct lone_word : pegtl::sor<word<Kind::KwTrued>, word<Kind::KwKnife>, word<Kind::KwBox>, word<Kind::KwInverted>> {};
+struct flag : statement<Kind::Flag, lone_word, to_comma, at_end<','>> {};
+struct pressed
+    : statement<Kind::Flag, word<Kind::KwPressed>, to_comma, pegtl::sor<four_ways, word<Kind::KwOpen>>, at_end<','>> {};
+struct details : items_in_braces<Kind::Properties, 0, ',', pegtl::sor<flag, pressed, property>> {};
+
+struct dart_name : pegtl::opt<pegtl::not_at<pegtl::sor<word<Kind::KwAt>, word<Kind::KwFrom>>>, any_name> {};
+struct on_edge : pegtl::seq<word<Kind::KwAt>, position> {};
+struct inside : pegtl::seq<with_value<Kind::KwFrom>, with_value<Kind::KwTo>> {};
+struct dart : statement<Kind::Dart, word<Kind::KwDart>, to_block<details>, dart_name, pegtl::sor<inside, on_edge>,
+                        details, at_end<>> {};
+struct notch : line<Kind::Notch, word<Kind::KwNotch>, on_edge> {};
+struct share_of_dart : pegtl::sor<pegtl::seq<any_name, pegtl::at<word<Kind::KwTo>>>, position> {};
+struct pivot : line<Kind::Pivot, word<Kind::KwPivot>, share_of_dart, word<Kind::KwTo>, position,
+                    pegtl::opt<word<Kind::KwAs>, any_name>> {};
+struct spread : line<Kind::Spread, word<Kind::KwSpread>, expression, on_edge,
+                     pegtl::sor<pegtl::seq<word<Kind::KwTo>, position>, pegtl::seq<comma, expression, on_edge>>> {};
+struct pleat : statement<Kind::Pleat, word<Kind::KwPleat>, to_block<details>, pegtl::opt<name_before<Kind::KwAt>>,
+                         on_edge, pegtl::opt<word<Kind::KwTo>, position>, details, at_end<>> {};
+struct mark : line<Kind::Mark, word<Kind::KwMark>, expression> {};
+struct drill : line<Kind::Drill, word<Kind::KwDrill>, with_value<Kind::KwAt>> {};
+struct buttonhole : statement<Kind::Buttonhole, word<Kind::KwButtonhole>, to_block<properties>, with_value<Kind::KwAt>,
+                              properties, at_end<>> {};
+struct button : line<Kind::Button, word<Kind::KwButton>, with_value<Kind::KwAt>> {};
+struct detail : pegtl::sor<dart, notch, pleat, spread, mark, drill, buttonhole, button> {};
+struct repeated : block<repeated_words, detail> {};
 struct repeat
     : statement<Kind::Repeat, word<Kind::KwFor>, to_block<repeated>, node<Kind::For, generated>, repeated, at_end<>> {};
-struct edge_allowance : node<Kind::EdgeAllowance, any_name, expression> {};
-struct allowance : line<Kind::Allowance, word<Kind::KwAllowance>, expression, pegtl::star<comma, edge_allowance>> {};
+struct corner : pegtl::sor<word<Kind::KwMitred>, word<Kind::KwSquare>, word<Kind::KwMirrored>, word<Kind::KwBevelled>> {
+};
+struct edge_allowance : node<Kind::EdgeAllowance, edge_name, expression, pegtl::opt<corner>> {};
+struct allowance : line<Kind::Allowance, word<Kind::KwAllowance>, expression, pegtl::opt<corner>,
+                        pegtl::star<comma, edge_allowance>> {};
 struct label : line<Kind::Label, word<Kind::KwLabel>, expression> {};
 
 /// "And the rest as before": what a varied piece does not mention it has from its model, said or unsaid.
 struct and_so_on : sign<Kind::Ellipsis> {};
 struct piece_item
-    : pegtl::sor<and_so_on, outline, let, solve, fold, dart, notch, grain, allowance, cut, label, hole, repeat> {};
+    : pegtl::sor<and_so_on, outline, let, solve, fold, detail, pivot, grain, allowance, cut, label, hole, repeat> {};
 struct piece_block : block<piece_words, piece_item> {};
 struct piece
     : statement<
@@ -181,15 +210,23 @@ struct piece
 
 // --------------------------------------------------------------------------------------------------- garments
 
-struct edge_ref : called<Kind::EdgeRef, node<Kind::EdgeRef, any_name, pegtl::plus<sign<Kind::Dot>, any_name>>> {};
+struct edge_ref
+    : called<Kind::EdgeRef, node<Kind::EdgeRef, any_name, pegtl::plus<sign<Kind::Dot>, any_name>, pegtl::opt<range>>> {
+};
 struct chain : node<Kind::Chain, edge_ref, pegtl::star<sign<Kind::Plus>, more, edge_ref>> {};
 
 struct difference : pegtl::sor<word<Kind::KwEase>, word<Kind::KwGather>, word<Kind::KwStretch>> {};
-struct sew_word : pegtl::sor<word<Kind::KwReversed>, difference> {};
+struct plain_sew_word
+    : pegtl::sor<word<Kind::KwReversed>, word<Kind::KwZipped>, word<Kind::KwButtoned>, word<Kind::KwOpen>> {};
+struct sew_word : pegtl::sor<plain_sew_word, difference, word<Kind::KwNotch>, word<Kind::KwStep>> {};
+struct fullness
+    : pegtl::seq<difference, pegtl::opt<pegtl::not_at<sew_word>, pegtl::not_at<word<Kind::KwIn>>, expression>,
+                 pegtl::opt<range>> {};
+struct tied_notches : pegtl::seq<word<Kind::KwNotch>, with_value<Kind::KwAt>, pegtl::star<comma, expression>> {};
 struct sew_option
-    : node<Kind::SewOption, pegtl::sor<word<Kind::KwReversed>,
-                                       pegtl::seq<difference, pegtl::opt<pegtl::not_at<sew_word>, expression>>>> {};
-struct sew : line<Kind::Sew, word<Kind::KwSew>, chain, word<Kind::KwTo>, chain, pegtl::star<sew_option>> {};
+    : node<Kind::SewOption, pegtl::sor<plain_sew_word, fullness, tied_notches, with_value<Kind::KwStep>>> {};
+struct sew : line<Kind::Sew, word<Kind::KwSew>, chain, pegtl::plus<word<Kind::KwTo>, chain>, pegtl::star<sew_option>> {
+};
 
 struct wear_option
     : node<Kind::WearOption, pegtl::sor<word<Kind::KwHeld>, word<Kind::KwPlaced>, with_value<Kind::KwFrom>>> {};

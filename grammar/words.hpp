@@ -30,7 +30,7 @@ bool is_reserved(std::string_view word);
 bool is_unit(std::string_view word);
 
 /// A set of the words that begin statements.
-using StatementWords = std::uint32_t;
+using StatementWords = std::uint64_t;
 
 constexpr StatementWords statement_word(Kind keyword) {
   return StatementWords{1} << (static_cast<int>(keyword) - static_cast<int>(Kind::KwImport));
@@ -48,7 +48,12 @@ inline constexpr StatementWords garment_words = statement_words(
     Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear, Kind::KwArrange);
 inline constexpr StatementWords piece_words =
     statement_words(Kind::KwLet, Kind::KwSolve, Kind::KwOutline, Kind::KwHole, Kind::KwFold, Kind::KwCut, Kind::KwGrain,
-                    Kind::KwDart, Kind::KwNotch, Kind::KwAllowance, Kind::KwLabel);
+                    Kind::KwDart, Kind::KwNotch, Kind::KwPivot, Kind::KwSpread, Kind::KwPleat, Kind::KwMark,
+                    Kind::KwDrill, Kind::KwButtonhole, Kind::KwButton, Kind::KwAllowance, Kind::KwLabel);
+/// What may stand under the `for` of a piece.
+inline constexpr StatementWords repeated_words =
+    statement_words(Kind::KwDart, Kind::KwNotch, Kind::KwSpread, Kind::KwPleat, Kind::KwMark, Kind::KwDrill,
+                    Kind::KwButtonhole, Kind::KwButton);
 
 /// The statement that seems to begin at `offset`: its keyword followed by a name, a text or the like, as no expression,
 /// row or edge would go on. Used to notice that a bracket or block was not closed.

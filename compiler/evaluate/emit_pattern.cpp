@@ -45,6 +45,19 @@ void emit_edges(std::string& out, const std::vector<PieceEdge>& edges, int first
   }
 }
 
+void emit_marks(std::string& out, const Piece& piece) {
+  constexpr const char* lines[] = {"line", "fold", "inner fold", "placement"};
+  for (const LineMark& mark : piece.marks) {
+    out += fmt::format("    mark {}\n", lines[static_cast<int>(mark.kind)]);
+    for (const Segment& segment : mark.curve.segments()) out += fmt::format("      {}\n", shape(segment));
+  }
+  constexpr const char* points[] = {"drill", "button", "buttonhole"};
+  for (const PointMark& mark : piece.spots) {
+    out += fmt::format("    {} at {} length {} angle {:.6f} rad\n", points[static_cast<int>(mark.kind)], point(mark.at),
+                       mm(mark.length), mark.angle);
+  }
+}
+
 void emit_piece(std::string& out, const Piece& piece) {
   out += fmt::format("  piece {} quantity {} warp ({}, {})\n", piece.name, piece.quantity,
                      format_number(piece.warp.x, 9), format_number(piece.warp.y, 9));
@@ -57,9 +70,14 @@ void emit_piece(std::string& out, const Piece& piece) {
   }
   if (piece.fold) out += fmt::format("    fold {} {}\n", point(piece.fold->from), point(piece.fold->to));
   for (const Dart& dart : piece.darts) {
-    out += fmt::format("    dart {} legs {} {} tip {} width {} depth {}\n", dart.name, dart.left_leg, dart.right_leg,
-                       point(dart.tip), mm(dart.width), mm(dart.depth));
+    out += fmt::format("    dart {} legs {} {} tip {} width {} depth {}{}\n", dart.name, dart.left_leg, dart.right_leg,
+                       point(dart.tip), mm(dart.width), mm(dart.depth),
+                       dart.other_tip ? " other tip " + point(*dart.other_tip) : "");
   }
+  for (const Pleat& pleat : piece.pleats) {
+    out += fmt::format("    pleat {} face {} under {} back {}\n", pleat.name, pleat.face, pleat.under, pleat.back);
+  }
+  emit_marks(out, piece);
   for (const Notch& notch : piece.notches) out += fmt::format("    notch edge {} at {}\n", notch.edge, mm(notch.at));
 }
 
@@ -87,6 +105,17 @@ std::string_view word(Seam::Fullness fullness) {
   return "";
 }
 
+std::string options(const Seam& seam) {
+  std::string text;
+  if (seam.is_layer) text += " as a further layer";
+  if (seam.closure == Seam::Closure::Zipped) text += " zipped";
+  if (seam.closure == Seam::Closure::Buttoned) text += " buttoned";
+  if (seam.open) text += " open";
+  if (seam.step) text += fmt::format(" step {}", *seam.step);
+  for (const auto& tie : seam.ties) text += fmt::format(" tie {} {}", mm(tie[0]), mm(tie[1]));
+  return text;
+}
+
 void emit_garment(std::string& out, const Garment& garment) {
   out += fmt::format("garment {}\n", garment.name);
   if (!garment.fabric.name.empty()) out += fmt::format("  fabric {}\n", garment.fabric.name);
@@ -94,8 +123,9 @@ void emit_garment(std::string& out, const Garment& garment) {
   for (const Piece& piece : garment.pieces) emit_piece(out, piece);
   for (const Seam& seam : garment.seams) {
     const std::string_view fullness = word(seam.fullness);
-    out += fmt::format("  {} {} to {}{}{}\n", seam.is_dart ? "close" : "sew", chain(seam.first, garment),
-                       chain(seam.second, garment), fullness, fullness.empty() ? "" : mm(seam.stated));
+    const char* verb = seam.is_dart ? "close" : seam.is_pleat ? "layer" : "sew";
+    out += fmt::format("  {} {} to {}{}{}{}\n", verb, chain(seam.first, garment), chain(seam.second, garment), fullness,
+                       fullness.empty() ? "" : mm(seam.stated), options(seam));
   }
   for (const Wear& wear : garment.wears) {
     out += fmt::format("  wear {} at {} {} from {}\n", chain(wear.chain, garment), wear.line,

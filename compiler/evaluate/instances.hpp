@@ -68,9 +68,8 @@ struct PlannedEdge {
 };
 
 /// A statement of a piece that may stand under a `for`.
-template <typename Statement>
 struct Repeated {
-  Statement written;
+  syntax::View written;
   std::optional<syntax::For> each;
 };
 
@@ -84,8 +83,7 @@ struct PiecePlan {
   std::optional<syntax::Fold> fold;
   std::optional<syntax::Cut> cut;
   std::optional<syntax::Grain> grain;
-  std::vector<Repeated<syntax::Dart>> darts;
-  std::vector<Repeated<syntax::Notch>> notches;
+  std::vector<Repeated> details;  // darts, notches, pleats, marks, … in the order of the script
   std::optional<syntax::Allowance> allowance;
   std::optional<syntax::Label> label;
 };

@@ -52,25 +52,27 @@ void take_solve(const Session& session, const Module& module, PiecePlan& plan, c
   plan.solves.push_back(solve);
 }
 
-/// Darts and notches: the first of a kind that a piece has of its own puts those of its model away.
+/// Darts, notches, pleats, marks: the first of a kind that a piece has of its own puts those of its model away.
 class OwnDetails {
  public:
   explicit OwnDetails(PiecePlan& plan) : plan_(plan) {}
 
   void take(const syntax::View& item, const std::optional<syntax::For>& each) {
-    if (const auto dart = syntax::as<syntax::Dart>(item)) {
-      if (!std::exchange(has_darts_, true)) plan_.darts.clear();
-      plan_.darts.push_back({*dart, each});
-    } else if (const auto notch = syntax::as<syntax::Notch>(item)) {
-      if (!std::exchange(has_notches_, true)) plan_.notches.clear();
-      plan_.notches.push_back({*notch, each});
+    const syntax::Kind kind = family(item);
+    if (seen_.insert(kind).second) {
+      std::erase_if(plan_.details, [&](const Repeated& detail) { return family(detail.written) == kind; });
     }
+    plan_.details.push_back({item, each});
   }
 
  private:
+  /// A dart goes with the pivots that move it.
+  static syntax::Kind family(const syntax::View& item) {
+    return item.kind() == syntax::Kind::Pivot ? syntax::Kind::Dart : item.kind();
+  }
+
   PiecePlan& plan_;
-  bool has_darts_ = false;
-  bool has_notches_ = false;
+  std::set<syntax::Kind> seen_;
 };
 
 }  // namespace

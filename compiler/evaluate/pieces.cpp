@@ -8,9 +8,9 @@
 #include <numbers>
 
 #include "compiler/evaluate/curves.hpp"
+#include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
-#include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/solve.hpp"
 #include "compiler/evaluate/walk.hpp"
 #include "compiler/evaluate/want.hpp"
@@ -99,8 +99,7 @@ class PieceDrafter {
     read_fold();
     read_cut();
     read_grain();
-    for (const auto& dart : piece_.plan.darts) repeat(dart, &PieceDrafter::read_dart);
-    for (const auto& notch : piece_.plan.notches) repeat(notch, &PieceDrafter::read_notch);
+    if (!read_details(session_, piece_, draft_)) fail();
     if (piece_.plan.allowance) read_allowance(*piece_.plan.allowance);
     if (piece_.plan.label) read_label(*piece_.plan.label);
     return draft_;
@@ -203,108 +202,32 @@ class PieceDrafter {
     }
   }
 
-  /// Once for each value of the `for` around it, or just once.
-  template <typename Statement>
-  void repeat(const Repeated<Statement>& planned, void (PieceDrafter::*read)(const Statement&, const Scope&)) {
-    if (!planned.each) return (this->*read)(planned.written, *piece_.scope);
-    const auto known = for_each_value(session_, *piece_.scope, *planned.each, [&](const Scope& inner) {
-      ++turn_;
-      (this->*read)(planned.written, inner);
-    });
-    turn_ = 0;
-    if (!known) fail();
-  }
-
-  struct Place {
-    std::string edge;
-    double at = 0;
-  };
-
-  std::optional<Place> place(const std::optional<syntax::Position>& position, const Scope& scope) {
-    if (!position) {
-      fail();
-      return std::nullopt;
-    }
-    const auto where_expr = position->where();
-    const Value where = evaluate(session_, scope, where_expr);
-    const DraftEdge* line = edge(position->edge());
-    if (line == nullptr || where.unknown()) {
-      fail();
-      return std::nullopt;
-    }
-    const auto* quantity = where.as<Quantity>();
-    if (quantity == nullptr || !(quantity->dimension.plain() || quantity->dimension == dimension::length)) {
-      wanted_.wrong(*where_expr, where, "a place on an edge", "a length or a fraction");
-      fail();
-      return std::nullopt;
-    }
-    if (!wanted_.there(*where_expr, where, "a place on an edge")) {
-      fail();
-      return std::nullopt;
-    }
-    const auto s =
-        arc_length_at(session_, line->curve, where, module_.at(*where_expr), "the end of edge `" + line->name + "`");
-    if (!s) fail();
-    return s ? std::optional(Place{line->name, *s}) : std::nullopt;
-  }
-
-  void read_dart(const syntax::Dart& dart, const Scope& scope) {
-    DraftDart made;
-    made.written = module_.at(dart);
-    made.name = session_.name_of(module_, dart.name());
-    if (made.name.empty()) {
-      made.name = fmt::format("dart{}", draft_.darts.size() + 1);
-    } else if (turn_ > 0) {
-      made.name += fmt::format("{}", turn_);  // tuck1, tuck2
-    }
-    const auto where = place(dart.position(), scope);
-    std::map<std::string, std::optional<double>> sizes;
-    for (const syntax::Property& property : dart.properties()) {
-      const auto token = property.name();
-      if (!token) continue;
-      const std::string name = session_.name_of(module_, token);
-      if (name != "width" && name != "depth") {
-        report_unknown(session_, module_, *token, "a dart has no `" + name + "`", {"width", "depth"}, "E0103");
-        fail();
-        continue;
-      }
-      if (sizes.contains(name)) {
-        session_.report.add(Problem("E0102", "`" + name + "` is given twice").at(module_.at(*token)));
-        fail();
-        continue;
-      }
-      sizes[name] = Wanted{session_, scope}.positive(property.value(), dimension::length, "the " + name + " of a dart");
-    }
-    for (const char* name : {"width", "depth"}) {
-      if (sizes.contains(name) || module_.broken(dart.span())) continue;
-      session_.report.add(Problem("E0310", fmt::format("the dart does not tell its {}", name))
-                              .at(made.written)
-                              .help("dart at 50% of waist { width 2.5cm, depth 9cm }"));
-    }
-    if (!where || !sizes["width"] || !sizes["depth"]) return fail();
-    made.edge = where->edge;
-    made.at = where->at;
-    made.width = *sizes["width"];
-    made.depth = *sizes["depth"];
-    draft_.darts.push_back(std::move(made));
-  }
-
-  void read_notch(const syntax::Notch& notch, const Scope& scope) {
-    if (const auto where = place(notch.position(), scope)) {
-      draft_.notches.push_back({where->edge, where->at, module_.at(notch)});
+  static std::optional<AllowanceCorner> corner_of(const std::optional<syntax::Token>& word) {
+    if (!word) return std::nullopt;
+    switch (word->kind()) {
+      case syntax::Kind::KwSquare:
+        return AllowanceCorner::Square;
+      case syntax::Kind::KwMirrored:
+        return AllowanceCorner::Mirrored;
+      case syntax::Kind::KwBevelled:
+        return AllowanceCorner::Bevelled;
+      default:
+        return AllowanceCorner::Mitred;
     }
   }
 
   void read_allowance(const syntax::Allowance& allowance) {
     const std::string what = "a seam allowance";
     const auto width = wanted_.not_negative(allowance.width(), dimension::length, what);
-    if (width) draft_.allowances.push_back({"", *width, module_.at(allowance)});
+    if (width) draft_.allowances.push_back({"", *width, module_.at(allowance), corner_of(allowance.corner())});
     if (!width) fail();
     for (const syntax::EdgeAllowance& exception : allowance.exceptions()) {
-      const DraftEdge* line = edge(exception.edge());
+      const auto line = named_edge(session_, piece_, draft_, exception.path());
       const auto own = wanted_.not_negative(exception.width(), dimension::length, what);
-      if (!own) fail();
-      if (line != nullptr && own) draft_.allowances.push_back({line->name, *own, module_.at(exception)});
+      if (!own || !line) fail();
+      if (line && own) {
+        draft_.allowances.push_back({*line, *own, module_.at(exception), corner_of(exception.corner())});
+      }
     }
   }
 
@@ -319,7 +242,6 @@ class PieceDrafter {
   const Module& module_;
   Wanted wanted_;
   DraftPiece draft_;
-  int turn_ = 0;  // of the `for` around what is read, from 1 on; 0 outside
 };
 
 }  // namespace

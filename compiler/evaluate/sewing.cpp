@@ -3,7 +3,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 
+#include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/want.hpp"
@@ -23,6 +25,11 @@ class SewingReader {
     const bool first = read_chain(sew.first(), seam.first);
     const bool second = read_chain(sew.second(), seam.second);
     bool sound = first && second;
+    const std::vector<syntax::Chain> chains = sew.chains();
+    for (std::size_t i = 2; i < chains.size(); ++i) {
+      sound = read_chain(chains[i], seam.layers.emplace_back()) && sound;
+    }
+    sound = says_once(sew) && sound;
     for (const syntax::SewOption& option : sew.options()) sound = read_option(option, seam) && sound;
     if (!sound) return fail();
     garment_.draft.seams.push_back(std::move(seam));
@@ -46,7 +53,8 @@ class SewingReader {
     if (!chain) return false;
     bool sound = true;
     for (const syntax::EdgeRef& reference : chain->edges()) {
-      if (auto edge = read_edge(reference)) {
+      auto edge = read_edge(reference);
+      if (edge && read_part(reference, *edge)) {
         into.push_back(std::move(*edge));
       } else {
         sound = false;
@@ -108,6 +116,54 @@ class SewingReader {
     return false;
   }
 
+  /// `in 0cm..18cm`: places on the edge as drawn.
+  bool read_part(const syntax::EdgeRef& reference, DraftEdgeRef& edge) {
+    const auto range = reference.range();
+    if (!range) return true;
+    const DraftEdge* drafted = nullptr;
+    for (const DraftPiece& piece : garment_.draft.pieces) {
+      if (piece.name == edge.piece) drafted = drafted_edge(piece, edge.edge);
+    }
+    if (drafted == nullptr) return false;
+    const auto from = place_on(drafted->curve, range->low(), edge.edge),
+               to = place_on(drafted->curve, range->high(), edge.edge);
+    if (!from || !to) return false;
+    if (*to - *from < 1e-3) {
+      session_.report.add(
+          Problem("E0112", "a part of an edge runs from its lower to its higher place").at(module_.at(*range)));
+      return false;
+    }
+    edge.part = DrawnSpan{*from, *to};
+    return true;
+  }
+
+  std::optional<double> place_on(const Curve& curve, const std::optional<syntax::Expr>& expr, const std::string& name) {
+    const Value where = evaluate(session_, *garment_.scope, expr);
+    if (where.unknown()) return std::nullopt;
+    const auto* quantity = where.as<Quantity>();
+    const bool measured =
+        quantity != nullptr && (quantity->dimension.plain() || quantity->dimension == dimension::length);
+    if (!measured) {
+      wanted_.wrong(*expr, where, "a place on an edge", "a length or a fraction");
+      return std::nullopt;
+    }
+    if (!wanted_.there(*expr, where, "a place on an edge")) return std::nullopt;
+    return arc_length_at(session_, curve, where, module_.at(*expr), "the end of edge `" + name + "`");
+  }
+
+  /// A place on a seam, whose length is not known yet.
+  std::optional<DraftSeamPlace> seam_place(const std::optional<syntax::Expr>& expr) {
+    const Value where = evaluate(session_, *garment_.scope, expr);
+    if (where.unknown()) return std::nullopt;
+    const auto* quantity = where.as<Quantity>();
+    if (quantity == nullptr || !(quantity->dimension.plain() || quantity->dimension == dimension::length)) {
+      wanted_.wrong(*expr, where, "a place on a seam", "a length or a fraction");
+      return std::nullopt;
+    }
+    if (!wanted_.there(*expr, where, "a place on a seam")) return std::nullopt;
+    return DraftSeamPlace{quantity->si, quantity->dimension.plain()};
+  }
+
   /// What stands behind the edge's name, if anything.
   bool read_side(const std::vector<syntax::Token>& path, std::size_t at, DraftEdgeRef& edge) {
     if (path.size() == at) return true;
@@ -123,20 +179,78 @@ class SewingReader {
     return false;
   }
 
+  /// A seam is eased or gathered, zipped or buttoned, and has one step.
+  bool says_once(const syntax::Sew& sew) {
+    const auto family = [](syntax::Kind word) {
+      if (word == syntax::Kind::KwGather || word == syntax::Kind::KwStretch) return syntax::Kind::KwEase;
+      return word == syntax::Kind::KwButtoned ? syntax::Kind::KwZipped : word;
+    };
+    std::map<syntax::Kind, syntax::Token> said;
+    bool sound = true;
+    for (const syntax::SewOption& option : sew.options()) {
+      const auto word = option.word();
+      if (!word || word->kind() == syntax::Kind::KwNotch) continue;
+      const auto [before, fresh] = said.try_emplace(family(word->kind()), *word);
+      if (fresh) continue;
+      sound = false;
+      session_.report.add(
+          Problem("E0102", fmt::format("`{}` after `{}`: one of them is too many", session_.text(module_, *word),
+                                       session_.text(module_, before->second)))
+              .at(module_.at(*word))
+              .also(module_.at(before->second), "said here"));
+    }
+    return sound;
+  }
+
   bool read_option(const syntax::SewOption& option, DraftSeam& seam) {
     const auto word = option.word();
     if (!word) return false;
-    if (word->kind() == syntax::Kind::KwReversed) {
-      seam.reversed = true;
-      return true;
+    switch (word->kind()) {
+      case syntax::Kind::KwReversed:
+        seam.reversed = true;
+        return true;
+      case syntax::Kind::KwOpen:
+        seam.open = true;
+        return true;
+      case syntax::Kind::KwZipped:
+        seam.closure = Seam::Closure::Zipped;
+        return true;
+      case syntax::Kind::KwButtoned:
+        seam.closure = Seam::Closure::Buttoned;
+        return true;
+      case syntax::Kind::KwStep:
+        seam.step = wanted_.count(option.amount(), "the step of a seam");
+        return seam.step.has_value();
+      case syntax::Kind::KwNotch:
+        return read_notches(option, seam);
+      default:
+        return read_fullness(*word, option, seam);
     }
-    seam.fullness = word->kind() == syntax::Kind::KwEase     ? Seam::Fullness::Ease
-                    : word->kind() == syntax::Kind::KwGather ? Seam::Fullness::Gather
-                                                             : Seam::Fullness::Stretch;
+  }
+
+  bool read_notches(const syntax::SewOption& option, DraftSeam& seam) {
+    bool sound = true;
+    for (const syntax::Expr& expr : option.places()) {
+      const auto place = seam_place(expr);
+      if (place) seam.notches.push_back(*place);
+      sound = sound && place;
+    }
+    return sound;
+  }
+
+  bool read_fullness(const syntax::Token& word, const syntax::SewOption& option, DraftSeam& seam) {
+    if (const auto range = option.range()) {
+      const auto from = seam_place(range->low()), to = seam_place(range->high());
+      if (!from || !to) return false;
+      seam.taken = {*from, *to};
+    }
+    seam.fullness = word.kind() == syntax::Kind::KwEase     ? Seam::Fullness::Ease
+                    : word.kind() == syntax::Kind::KwGather ? Seam::Fullness::Gather
+                                                            : Seam::Fullness::Stretch;
     const auto amount = option.amount();
     if (!amount) return true;
     seam.stated = wanted_.not_negative(amount, dimension::length,
-                                       fmt::format("the amount of `{}`", session_.text(module_, *word)));
+                                       fmt::format("the amount of `{}`", session_.text(module_, word)));
     return seam.stated.has_value();
   }
 

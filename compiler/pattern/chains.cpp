@@ -86,8 +86,11 @@ std::vector<Strand> both_copies(const FoundEdge& edge, int reference, bool cloth
 }
 
 std::string edge_name(const FoundEdge& edge, std::optional<Side> side) {
-  const std::string name = edge.written->piece + "." + edge.written->edge;
-  return side == Side::Mirrored ? name + ".mirrored" : name;
+  std::string name = edge.written->piece + "." + edge.written->edge;
+  if (side == Side::Mirrored) name += ".mirrored";
+  if (edge.written->part)
+    name += " in " + script_cm(edge.written->part->from) + ".." + script_cm(edge.written->part->to);
+  return name;
 }
 
 }  // namespace toile

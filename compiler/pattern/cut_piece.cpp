@@ -26,17 +26,36 @@ bool check_unfolded(const DraftPiece& draft, const Piece& whole, Findings& findi
   return false;
 }
 
+bool check_marks(const DraftPiece& draft, const DrawnPiece& drawn, Findings& findings) {
+  const int before = findings.errors();
+  const auto check = [&](Vec2 place, Location written) {
+    if (in_cloth(drawn, place)) return;
+    findings.error(
+        "E0336", fmt::format("a mark lies outside of piece {}", quoted(draft.name)),
+        {{written, fmt::format("at ({}, {})", in_cm(place.x), in_cm(place.y))}, {draft.written, "the piece"}});
+  };
+  for (const PointMark& mark : drawn.piece.spots) check(mark.at, mark.written);
+  for (const LineMark& mark : drawn.piece.marks) {
+    if (mark.kind == LineMark::Kind::Line) check(mark.curve.at(mark.curve.length() / 2), mark.written);
+  }
+  return findings.errors() == before;
+}
+
 }  // namespace
 
-std::vector<Piece> cut_piece(const DraftPiece& draft, Findings& findings) {
+std::vector<Piece> cut_piece(const DraftPiece& draft, const PieceUse& use, Findings& findings) {
   if (!check_outline(draft, findings)) return {};
   DrawnPiece drawn = drawn_piece(draft);
   // Each check reports for itself, so that one look shows all that is wrong with a piece.
   const bool holes = check_holes(draft, findings);
+  const bool inside = check_marks(draft, drawn, findings);
   const bool allowances = check_allowances(draft, findings);
   const bool fold = !draft.fold || check_fold(draft, drawn, findings);
-  const bool marks = cut_darts_and_notches(draft, drawn, findings);
-  if (!holes || !allowances || !fold || !marks) return {};
+  const bool marks = cut_darts(draft, drawn, findings) && pivot_darts(draft, drawn, findings) &&
+                     finish_darts(draft, drawn, findings) && cut_pleats(draft, use, drawn, findings);
+  for (const DraftPlace& place : use.divisions) divide_at(drawn, place.edge, place.at);
+  const bool notches = set_notches(draft, drawn, findings);
+  if (!inside || !holes || !allowances || !fold || !marks || !notches) return {};
   if (draft.fold) {
     Piece whole = unfolded(drawn.piece, *draft.fold);
     if (!check_unfolded(draft, whole, findings)) return {};

@@ -5,6 +5,7 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "compiler/diag/diagnostic.hpp"
@@ -20,10 +21,26 @@ struct DraftEdge {
 
 struct DraftDart {
   std::string name;  // "dart1", … when the script gives none
-  std::string edge;
+  std::string edge;  // empty: inside the piece, from one point to another
   double at = 0;     // [m] along the drawn edge, of the middle of the mouth
   double width = 0;  // [m]
-  double depth = 0;  // [m]
+  double depth = 0;  // [m]; not where a tip is given
+  Location written;
+  std::optional<Vec2> tip{};  // towards this point
+  double short_of_tip = 0;    // [m] that the legs end before it; a pivot turns about the tip itself
+  LineSegment inside{};       // from point to point, where it has no edge
+  double widest = 0;          // [m] from the first of these points to where it is widest
+  bool trued = false;         // its edge redrawn so that it runs on smoothly once the dart is closed
+  std::optional<Press> pressed{};
+};
+
+/// Moves a dart, or a share of it, to another place of the outline.
+struct DraftPivot {
+  std::string dart;
+  double share = 1;
+  std::string edge;
+  double at = 0;     // [m] along the drawn edge
+  std::string name;  // of what comes of it
   Location written;
 };
 
@@ -33,10 +50,37 @@ struct DraftNotch {
   Location written;
 };
 
+struct DraftPlace {
+  std::string edge;
+  double at = 0;  // [m] along the drawn edge
+};
+
+/// The piece is slashed from one place to the other and the ends of the slash are opened.
+struct DraftSpread {
+  DraftPlace opened, other;
+  double by = 0;        // [m] at `opened`
+  double other_by = 0;  // [m] at `other`; zero where it is hinged there
+  Location written;
+};
+
+/// `place` is that of a knife pleat's fold, of a box pleat's or an inverted pleat's middle.
+struct DraftPleat {
+  std::string name;  // "pleat1", … when the script gives none
+  DraftPlace place;
+  std::optional<DraftPlace> other_end;
+  PleatStyle style = PleatStyle::Knife;
+  double depth = 0;     // [m] from the fold to the inner fold: half of what a knife pleat takes
+  double width = 0;     // [m] between the folds of a box pleat
+  double stitched = 0;  // [m] that it is stitched down, as a tuck is
+  std::optional<Press> pressed;
+  Location written;
+};
+
 struct DraftAllowance {
   std::string edge;  // empty: all edges without one of their own
   double width = 0;  // [m]
   Location written;
+  std::optional<AllowanceCorner> corner{};
 };
 
 struct DraftHole {
@@ -56,6 +100,11 @@ struct DraftPiece {
   int quantity = 1;
   Vec2 warp{0, -1};
   std::vector<DraftDart> darts;
+  std::vector<DraftPivot> pivots;
+  std::vector<DraftSpread> spreads;
+  std::vector<DraftPleat> pleats;
+  std::vector<LineMark> marks;
+  std::vector<PointMark> spots;
   std::vector<DraftNotch> notches;
   std::vector<DraftAllowance> allowances;
   std::string label;
@@ -67,6 +116,13 @@ struct DraftEdgeRef {
   std::string edge;          // of a hole with its name: "eye.rim"
   std::optional<Side> side;  // only where the script says it: front.side.mirrored
   Location written;
+  std::optional<DrawnSpan> part{};  // of a part of the edge
+};
+
+/// A place on a seam's first chain: a length [m] from its start, or a fraction of it.
+struct DraftSeamPlace {
+  double value = 0;
+  bool is_fraction = false;
 };
 
 struct DraftSeam {
@@ -76,6 +132,13 @@ struct DraftSeam {
   Seam::Fullness fullness = Seam::Fullness::None;
   std::optional<double> stated;  // [m]
   Location written;
+  std::vector<std::vector<DraftEdgeRef>> layers{};                   // further chains sewn into the same seam
+  std::optional<std::pair<DraftSeamPlace, DraftSeamPlace>> taken{};  // the stretch that takes the difference
+  std::vector<DraftSeamPlace> notches{};
+  Seam::Closure closure = Seam::Closure::Sewn;
+  bool open = false;
+  bool is_layer = false;      // one of the layers of another seam, which sews its first chain
+  std::optional<int> step{};  // in the order of sewing
 };
 
 struct DraftWear {
@@ -106,11 +169,21 @@ struct DraftGarment {
   Location written;
 };
 
+/// The edge of the outline or of a hole ("eye.rim") as it was drawn, or null.
+const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name);
+
 /// Always returns a garment; it is fit for meshing when no Error was added. Codes E0301 to E0399.
 ///
 /// Darts. The mouth lies on the edge, `width` of arc length about `at`; the tip stands on the perpendicular bisector of
 /// the mouth's chord, `depth` inside the piece, so that both legs have one length. Edge `waist` then is two edges
 /// `waist`, parts 0 and 1, and naming it in a seam or a worn line means all its parts.
+///
+/// Where a tip is given the legs lead there. Their lengths may then differ, so such a dart is always trued: half way
+/// into what remains of its edge on either side (but no further than twice the width) the edge leaves its line for a
+/// smooth curve drawn over the closed dart, which the legs end on. A dart inside the piece is a hole with four corners,
+/// its two sides sewn to each other; both of its tips are tips of cones. A pivot cuts the piece from the tip to the new
+/// place and turns what lies between there and the dart about the tip (of the two parts the one without the fold, else
+/// the shorter one); the angle that the dart loses opens there.
 ///
 /// How seams are paired. A piece on the fold, or cut in mirrored pairs, has each edge twice: drawn and mirrored. `sew a
 /// to b` then means both pairs. Which pairs, the drawing tells: walk both drawn lines with their cloth on the left;

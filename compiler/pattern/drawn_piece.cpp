@@ -8,28 +8,38 @@
 namespace toile {
 namespace {
 
-double allowance_of(const DraftPiece& draft, const std::string& edge) {
-  double general = 0;
+/// The edge's own allowance, or the general one; its corners by its own word, or by the general one.
+DraftAllowance allowance_of(const DraftPiece& draft, const std::string& edge) {
+  DraftAllowance found;
   for (const DraftAllowance& allowance : draft.allowances) {
-    if (allowance.edge == edge) return allowance.width;
-    if (allowance.edge.empty()) general = allowance.width;
+    if (!allowance.edge.empty() && allowance.edge != edge) continue;
+    found.width = allowance.width;
+    if (allowance.corner) found.corner = allowance.corner;
   }
-  return general;
+  return found;
 }
 
 // The edges as a loop that runs to the left (or to the right) of what it bounds; says whether it was turned round.
 std::vector<PieceEdge> directed(const DraftPiece& draft, const std::vector<DraftEdge>& drafted, const std::string& hole,
-                                bool left, bool& as_drawn) {
+                                bool left, std::vector<bool>& as_drawn) {
   std::vector<PieceEdge> edges;
   edges.reserve(drafted.size());
   for (const DraftEdge& edge : drafted) {
     const std::string name = hole.empty() ? edge.name : hole + "." + edge.name;
-    edges.push_back({name, Side::Drawn, 0, false, edge.curve, allowance_of(draft, name), edge.written});
+    const DraftAllowance allowance = allowance_of(draft, name);
+    PieceEdge& made =
+        edges.emplace_back(PieceEdge{name, Side::Drawn, 0, false, edge.curve, allowance.width, edge.written});
+    made.drawn = {0, edge.curve.length()};
+    made.corner = allowance.corner.value_or(AllowanceCorner::Mitred);
   }
-  as_drawn = (signed_area(whole_outline(edges)) > 0) == left;
-  if (as_drawn) return edges;
+  as_drawn.push_back((signed_area(whole_outline(edges)) > 0) == left);
+  if (as_drawn.back()) return edges;
   std::reverse(edges.begin(), edges.end());
-  for (PieceEdge& edge : edges) edge.curve = edge.curve.reversed();
+  for (PieceEdge& edge : edges) {
+    edge.curve = edge.curve.reversed();
+    edge.against_drawing = true;
+    edge.drawn = {0, edge.curve.length()};
+  }
   return edges;
 }
 
@@ -45,21 +55,24 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   piece.written = draft.written;
   piece.edges = directed(draft, draft.outline, "", true, drawn.as_drawn);
   for (const DraftHole& hole : draft.holes) {
-    bool hole_as_drawn = true;
-    piece.holes.push_back(directed(draft, hole.edges, hole.name, false, hole_as_drawn));
+    piece.holes.push_back(directed(draft, hole.edges, hole.name, false, drawn.as_drawn));
   }
+  piece.marks = draft.marks;
+  piece.spots = draft.spots;
+  piece.label = draft.label;
   return drawn;
 }
 
-std::optional<int> find_edge(const DraftPiece& draft, const std::string& edge, Location written, Findings& findings) {
+const DraftEdge* find_edge(const DraftPiece& draft, const std::string& edge, Location written, Findings& findings) {
+  if (const DraftEdge* found = drafted_edge(draft, edge)) return found;
   std::vector<std::string> names;
-  for (std::size_t i = 0; i < draft.outline.size(); ++i) {
-    if (draft.outline[i].name == edge) return static_cast<int>(i);
-    names.push_back(draft.outline[i].name);
+  for (const DraftEdge& each : draft.outline) names.push_back(each.name);
+  for (const DraftHole& hole : draft.holes) {
+    for (const DraftEdge& rim : hole.edges) names.push_back(hole.name + "." + rim.name);
   }
   findings.error("E0308", "piece " + quoted(draft.name) + " has no edge named " + quoted(edge),
                  {{written, "unknown edge"}, {draft.written, "the piece"}}, suggestion(edge, names));
-  return std::nullopt;
+  return nullptr;
 }
 
 }  // namespace toile

@@ -8,15 +8,19 @@
 namespace toile {
 namespace {
 
-// All parts of one copy of an edge in the order of the outline, which is that of the index.
+// All parts of one copy of an edge in the order of the outline, which is that of the index; of a part of the edge those
+// within it. What a pleat folds under the sewn line passes by.
 std::optional<Chain> parts_of(const std::vector<Piece>& pieces, const std::string& piece, const std::string& edge,
-                              Side side) {
+                              const std::optional<DrawnSpan>& part, Side side) {
   Chain chain;
   for (std::size_t p = 0; p < pieces.size(); ++p) {
     if (pieces[p].drawn_name != piece) continue;
     for (int e = 0; e < pieces[p].edge_count(); ++e) {
       const PieceEdge& candidate = pieces[p].edge(e);
-      if (candidate.is_dart_leg || candidate.name != edge || candidate.side != side) continue;
+      if (candidate.is_dart_leg || candidate.folded_under) continue;
+      if (candidate.name != edge || candidate.side != side) continue;
+      constexpr double slack = 1e-5;  // [m]
+      if (part && (candidate.drawn.from < part->from - slack || candidate.drawn.to > part->to + slack)) continue;
       chain.push_back({{static_cast<int>(p), e}, true});
     }
   }
@@ -100,7 +104,7 @@ std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const c
     return std::nullopt;
   }
   for (const Side side : {Side::Drawn, Side::Mirrored}) {
-    found.copies[static_cast<std::size_t>(side)] = parts_of(pieces_, piece->name, reference.edge, side);
+    found.copies[static_cast<std::size_t>(side)] = parts_of(pieces_, piece->name, reference.edge, reference.part, side);
   }
   return found;
 }

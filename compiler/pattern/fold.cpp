@@ -21,6 +21,7 @@ PieceEdge mirrored_edge(const PieceEdge& edge, Vec2 point, Vec2 axis) {
   PieceEdge copy = edge;
   copy.side = Side::Mirrored;
   copy.curve = edge.curve.reversed().mirrored(point, axis);
+  copy.against_drawing = !edge.against_drawing;
   return copy;
 }
 
@@ -31,19 +32,53 @@ std::vector<PieceEdge> mirrored_loop(const std::vector<PieceEdge>& edges, Vec2 p
   return loop;
 }
 
-// Notches and darts of a mirrored copy whose edge i became edge `last - i`. The copy is walked the other way round, so
-// the leg that came first on the way round now comes second.
-void add_mirrored_marks(const Piece& from, int last, Vec2 point, Vec2 axis, Piece& to) {
+// The number that an edge of a piece has in the mirrored copy whose loops begin at those numbers: loops keep their
+// order and are walked the other way round.
+class MirroredNumbers {
+ public:
+  MirroredNumbers(const Piece& from, int outline_begin, int holes_begin) {
+    add(static_cast<int>(from.edges.size()), outline_begin);
+    for (const auto& hole : from.holes) {
+      add(static_cast<int>(hole.size()), holes_begin);
+      holes_begin += static_cast<int>(hole.size());
+    }
+  }
+  int operator()(int edge) const { return numbers_[edge]; }
+
+ private:
+  void add(int count, int begin) {
+    for (int i = 0; i < count; ++i) numbers_.push_back(begin + count - 1 - i);
+  }
+  std::vector<int> numbers_;
+};
+
+// Notches, darts and marks of a mirrored copy. It is walked the other way round, so the leg that came first now comes
+// second.
+void add_mirrored_marks(const Piece& from, const MirroredNumbers& number, Vec2 point, Vec2 axis, Piece& to) {
   for (const Notch& notch : from.notches) {
-    to.notches.push_back({last - notch.edge, from.edges[notch.edge].curve.length() - notch.at, notch.written});
+    to.notches.push_back({number(notch.edge), from.edge(notch.edge).curve.length() - notch.at, notch.written});
   }
   for (Dart dart : from.darts) {
     dart.tip = reflected(dart.tip, point, axis);
+    if (dart.other_tip) dart.other_tip = reflected(*dart.other_tip, point, axis);
     const int left = dart.left_leg;
-    dart.left_leg = last - dart.right_leg;
-    dart.right_leg = last - left;
-    std::swap(to.edges[dart.left_leg].name, to.edges[dart.right_leg].name);
+    dart.left_leg = number(dart.right_leg);
+    dart.right_leg = number(left);
+    std::swap(to.edge(dart.left_leg).name, to.edge(dart.right_leg).name);
     to.darts.push_back(dart);
+  }
+  for (const Pleat& pleat : from.pleats) {
+    to.pleats.push_back({pleat.name, number(pleat.face), number(pleat.under), number(pleat.back), pleat.written});
+  }
+  for (LineMark mark : from.marks) {
+    mark.curve = mark.curve.mirrored(point, axis);
+    to.marks.push_back(std::move(mark));
+  }
+  for (PointMark spot : from.spots) {
+    const Vec2 way = reflected(point + direction(spot.angle), point, axis) - point;
+    spot.at = reflected(spot.at, point, axis);
+    spot.angle = std::atan2(way.y, way.x);
+    to.spots.push_back(spot);
   }
 }
 
@@ -63,15 +98,15 @@ std::pair<double, const PieceEdge*> reach_over(const Piece& piece, const std::st
 }  // namespace
 
 bool check_fold(const DraftPiece& draft, const DrawnPiece& drawn, Findings& findings) {
-  const std::optional<int> index = find_edge(draft, *draft.fold, draft.fold_written, findings);
-  if (!index) return false;
+  const DraftEdge* drafted = find_edge(draft, *draft.fold, draft.fold_written, findings);
+  if (drafted == nullptr) return false;
   if (draft.mirrored) {
     findings.error("E0323", fmt::format("piece {} is both on the fold and cut in mirrored pairs", quoted(draft.name)),
                    {{draft.fold_written, "its other half is its mirror image already"}, {draft.written, "the piece"}},
                    "leave out `fold` for two separate pieces, or `mirrored` for one unfolded piece");
     return false;
   }
-  const DraftEdge& edge = draft.outline[*index];
+  const DraftEdge& edge = *drafted;
   const PieceEdge& fold = *std::find_if(drawn.piece.edges.begin(), drawn.piece.edges.end(),
                                         [&](const PieceEdge& e) { return e.name == *draft.fold; });
   const Vec2 from = fold.curve.start(), to = fold.curve.end();
@@ -101,11 +136,12 @@ bool check_fold(const DraftPiece& draft, const DrawnPiece& drawn, Findings& find
 }
 
 Piece unfolded(const Piece& half, const std::string& fold) {
-  const auto is_fold = [&](const PieceEdge& edge) { return edge.name == fold; };
+  const auto is_fold = [&](const PieceEdge& edge) { return edge.name == fold && !edge.is_dart_leg; };
   const int fold_index =
       static_cast<int>(std::find_if(half.edges.begin(), half.edges.end(), is_fold) - half.edges.begin());
   const int n = static_cast<int>(half.edges.size()) - 1;
-  const auto moved = [&](int edge) { return (edge - fold_index - 1 + n + 1) % (n + 1); };
+  // Without the fold, and beginning behind it; the edges of holes move up by one.
+  const auto moved = [&](int edge) { return edge > n ? edge - 1 : (edge - fold_index - 1 + n + 1) % (n + 1); };
 
   const LineSegment line{half.edges[fold_index].curve.start(), half.edges[fold_index].curve.end()};
   const Vec2 axis = (line.to - line.from) / distance(line.from, line.to);
@@ -117,12 +153,26 @@ Piece unfolded(const Piece& half, const std::string& fold) {
     dart.left_leg = moved(dart.left_leg);
     dart.right_leg = moved(dart.right_leg);
   }
+  for (Pleat& pleat : drawn.pleats) {
+    pleat = {pleat.name, moved(pleat.face), moved(pleat.under), moved(pleat.back), pleat.written};
+  }
 
   Piece whole = drawn;
   whole.fold = line;
   for (const PieceEdge& edge : mirrored_loop(drawn.edges, line.from, axis)) whole.edges.push_back(edge);
+  // The holes' edges come behind those of both halves.
+  const auto behind = [n](int edge) { return edge < n ? edge : edge + n; };
+  for (Notch& notch : whole.notches) notch.edge = behind(notch.edge);
+  for (Dart& dart : whole.darts) {
+    dart.left_leg = behind(dart.left_leg);
+    dart.right_leg = behind(dart.right_leg);
+  }
+  for (Pleat& pleat : whole.pleats) {
+    pleat = {pleat.name, behind(pleat.face), behind(pleat.under), behind(pleat.back), pleat.written};
+  }
   for (const auto& hole : drawn.holes) whole.holes.push_back(mirrored_loop(hole, line.from, axis));
-  add_mirrored_marks(drawn, 2 * n - 1, line.from, axis, whole);
+  const int drawn_holes = drawn.edge_count() - n;
+  add_mirrored_marks(drawn, {drawn, n, 2 * n + drawn_holes}, line.from, axis, whole);
   return whole;
 }
 
@@ -136,7 +186,10 @@ Piece mirrored_copy(const Piece& piece) {
   copy.warp = reflected(piece.warp, origin, axis);
   copy.notches.clear();
   copy.darts.clear();
-  add_mirrored_marks(piece, static_cast<int>(piece.edges.size()) - 1, origin, axis, copy);
+  copy.pleats.clear();
+  copy.marks.clear();
+  copy.spots.clear();
+  add_mirrored_marks(piece, {piece, 0, static_cast<int>(piece.edges.size())}, origin, axis, copy);
   return copy;
 }
 

@@ -1,18 +1,90 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+#include <optional>
+#include <utility>
+
 #include "compiler/pattern/arrangements.hpp"
 #include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/draft.hpp"
 #include "compiler/pattern/findings.hpp"
 #include "compiler/pattern/sewing.hpp"
+#include "compiler/pattern/spread.hpp"
 
 namespace toile {
+namespace {
 
-Garment make_garment(const DraftGarment& draft, std::vector<Diagnostic>& diagnostics) {
-  Findings findings(diagnostics);
+bool is_plain(const DraftGarment& draft) {
+  return std::all_of(draft.pieces.begin(), draft.pieces.end(), [](const DraftPiece& p) { return p.spreads.empty(); }) &&
+         std::all_of(draft.seams.begin(), draft.seams.end(), [](const DraftSeam& s) { return s.layers.empty(); });
+}
+
+template <typename Do>
+void for_each_reference(DraftGarment& draft, Do act) {
+  for (DraftSeam& seam : draft.seams) {
+    for (DraftEdgeRef& reference : seam.first) act(reference);
+    for (DraftEdgeRef& reference : seam.second) act(reference);
+  }
+  for (DraftWear& wear : draft.wears) {
+    for (DraftEdgeRef& reference : wear.chain) act(reference);
+  }
+}
+
+void open_slashes(DraftGarment& draft, Findings& findings) {
+  for (DraftPiece& piece : draft.pieces) {
+    if (piece.spreads.empty() || !check_outline(piece, findings)) continue;
+    const std::optional<SpreadPiece> spread = spread_out(piece, findings);
+    if (!spread) continue;
+    for_each_reference(draft, [&](DraftEdgeRef& reference) {
+      if (reference.piece != piece.name || !reference.part) return;
+      reference.part->from = spread->moved(reference.edge, reference.part->from);
+      reference.part->to = spread->moved(reference.edge, reference.part->to);
+    });
+    piece = spread->piece;
+  }
+}
+
+// Slashes opened, and a seam for each further layer.
+DraftGarment prepared(const DraftGarment& draft, Findings& findings) {
+  DraftGarment made = draft;
+  made.seams.clear();
+  for (const DraftSeam& seam : draft.seams) {
+    made.seams.push_back(seam);
+    for (const std::vector<DraftEdgeRef>& layer : seam.layers) {
+      DraftSeam further = seam;
+      further.second = layer;
+      further.is_layer = true;
+      further.notches.clear();
+      made.seams.push_back(std::move(further));
+    }
+  }
+  open_slashes(made, findings);
+  return made;
+}
+
+PieceUse use_of(const DraftPiece& piece, const DraftGarment& draft) {
+  PieceUse use;
+  const auto add = [&](const std::vector<DraftEdgeRef>& references) {
+    for (const DraftEdgeRef& reference : references) {
+      if (reference.piece != piece.name) continue;
+      use.joined.insert(reference.edge);
+      if (!reference.part) continue;
+      use.divisions.push_back({reference.edge, reference.part->from});
+      use.divisions.push_back({reference.edge, reference.part->to});
+    }
+  };
+  for (const DraftSeam& seam : draft.seams) {
+    add(seam.first);
+    add(seam.second);
+  }
+  for (const DraftWear& wear : draft.wears) add(wear.chain);
+  return use;
+}
+
+Garment made_of(const DraftGarment& draft, Findings& findings) {
   Garment garment{draft.name, {}, {}, {}, {}, draft.fabric, draft.textile, draft.written};
   for (const DraftPiece& piece : draft.pieces) {
-    for (Piece& cut : cut_piece(piece, findings)) garment.pieces.push_back(std::move(cut));
+    for (Piece& cut : cut_piece(piece, use_of(piece, draft), findings)) garment.pieces.push_back(std::move(cut));
   }
   if (draft.pieces.empty()) {
     findings.error("E0325", fmt::format("garment {} has no pieces", quoted(draft.name)), {{draft.written, ""}},
@@ -28,12 +100,22 @@ Garment make_garment(const DraftGarment& draft, std::vector<Diagnostic>& diagnos
   }
   // What hangs together can only be judged when all pieces and seams are known.
   const bool complete = findings.errors() == 0;
-  garment.wears = resolve_wears(draft, garment.pieces, corners, complete, findings);
+  if (complete) check_sides(draft, seams, garment.pieces, findings);
+  garment.wears = resolve_wears(draft, garment.pieces, seams, corners, findings.errors() == 0, findings);
   garment.arrangements = resolve_arrangements(draft, garment.pieces);
   check_worn_once(garment.wears, garment.pieces, findings);
   check_lengths(draft, seams, garment.pieces, findings);
   if (complete) check_ties(draft, garment, findings);
+  add_tied_notches(garment.seams, garment.pieces);
   return garment;
+}
+
+}  // namespace
+
+Garment make_garment(const DraftGarment& draft, std::vector<Diagnostic>& diagnostics) {
+  Findings findings(diagnostics);
+  if (is_plain(draft)) return made_of(draft, findings);
+  return made_of(prepared(draft, findings), findings);
 }
 
 }  // namespace toile

@@ -31,6 +31,10 @@ const PieceEdge& Piece::edge(int number) const {
   return place.loop[number - place.first];
 }
 
+PieceEdge& Piece::edge(int number) {
+  return const_cast<PieceEdge&>(static_cast<const Piece&>(*this).edge(number));
+}
+
 int Piece::next_edge(int number) const {
   const PlaceOnLoop place = place_of(*this, number);
   return place.first + (number - place.first + 1) % static_cast<int>(place.loop.size());

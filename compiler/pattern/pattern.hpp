@@ -20,6 +20,15 @@ using PieceId = int;
 /// Which copy of a drawn edge: pieces on the fold and pieces cut in mirrored pairs have both.
 enum class Side { Drawn, Mirrored };
 
+/// How the cut line turns at the ends of an edge's allowance: both sides drawn on until they meet, cut off square to
+/// the edge, cut so that the allowance lies flat when it is folded back, or with its corner taken off.
+enum class AllowanceCorner { Mitred, Square, Mirrored, Bevelled };
+
+/// A part of an edge by arc lengths along it as drawn [m].
+struct DrawnSpan {
+  double from = 0, to = 0;
+};
+
 /// One edge of a piece's outline or of a hole. A dart at an edge splits it: "waist" then comes as several edges of the
 /// same name, told apart by `part`, with the dart's two legs ("dart1.left", "dart1.right") between them.
 struct PieceEdge {
@@ -30,21 +39,61 @@ struct PieceEdge {
   Curve curve;           // in the direction in which the outline is walked
   double allowance = 0;  // [m] seam allowance outside the edge
   Location written;
+  DrawnSpan drawn{};          // which part of the edge as drawn
+  bool pressed_onto = false;  // of a dart's leg: the dart is pressed to its side
+  bool folded_under = false;  // in a pleat: the sewn line passes it by
+  AllowanceCorner corner = AllowanceCorner::Mitred;
+  bool against_drawing = false;  // the curve runs against the direction in which the edge was drawn
 };
 
 struct Notch {
-  int edge = 0;   // index into Piece::edges
+  int edge = 0;   // number of the edge: Piece::edge()
   double at = 0;  // [m] arc length along that edge
   Location written;
 };
 
+/// A direction in the drawing in which a fold is pressed; Open: apart, half to either side.
+enum class Press { Left, Right, Up, Down, Open };
+
 struct Dart {
   std::string name;
-  int left_leg = 0;  // indices into Piece::edges; the legs meet at the tip
+  int left_leg = 0;  // numbers of edges: Piece::edge(); the legs meet at the tip
   int right_leg = 0;
   Vec2 tip;
   double width = 0;  // [m] at the mouth
   double depth = 0;  // [m] from the middle of the mouth to the tip
+  Location written;
+  std::optional<Vec2> other_tip{};  // of a dart inside the piece, whose legs meet at both of their ends
+  bool trued = false;
+  std::optional<Press> pressed{};  // as stated; which leg it is pressed onto the edges tell
+};
+
+enum class PleatStyle { Knife, Box, Inverted };
+
+/// One turn of the cloth at an edge: three parts of it, as long as each other, that lie on each other and are sewn as
+/// one.
+struct Pleat {
+  std::string name;
+  int face = 0;   // numbers of edges, Piece::edge(): what lies uppermost,
+  int under = 0;  // what is turned back below it at the fold,
+  int back = 0;   // and what runs on below that from the inner fold
+  Location written;
+};
+
+/// A line inside a piece: drawn by the script, or of a pleat. Where a pleat is folded the line's cloth lies uppermost,
+/// is turned back below, or is what the fold comes to lie on.
+struct LineMark {
+  enum class Kind { Line, Fold, InnerFold, Placement } kind = Kind::Line;
+  Curve curve;
+  Location written;
+};
+
+/// A single place inside a piece.
+struct PointMark {
+  enum class Kind { Drill, Button, Buttonhole } kind = Kind::Drill;
+  Vec2 at;
+  double length = 0;  // [m] of a buttonhole, about its middle
+  double angle = 0;   // [rad]
   Location written;
 };
 
@@ -61,12 +110,17 @@ struct Piece {
   Vec2 warp{0, -1};  // unit vector: the direction of the warp (u) in the drawing; weft is perpendicular(warp)
   std::vector<Notch> notches;
   std::vector<Dart> darts;
+  std::vector<Pleat> pleats;
+  std::vector<LineMark> marks;
+  std::vector<PointMark> spots;
   int quantity = 1;
+  std::string label;  // what is written on it
   Location written;
 
   /// All edges in one numbering: those of the outline, then those of the holes, hole by hole.
   int edge_count() const;
   const PieceEdge& edge(int number) const;
+  PieceEdge& edge(int number);
   /// The number of the edge that follows on the same loop.
   int next_edge(int number) const;
 };
@@ -97,6 +151,15 @@ struct Seam {
   double stated = 0;  // [m] the stated difference of lengths
   bool is_dart = false;
   Location written;
+  bool is_pleat = false;  // the layers of a pleat at its edge
+  bool is_layer = false;  // joins a further layer to a seam that is sewn already
+  enum class Closure { Sewn, Zipped, Buttoned } closure = Closure::Sewn;
+  bool open = false;          // a closure that is worn open: its edges are free
+  std::optional<int> step{};  // in the order of sewing, where the script says it
+  /// Arc lengths [m] along the two chains that come to lie on each other, ascending: tied notches, the ends of a
+  /// stretch that takes all the fullness. Between them, and to the ends, nodes lie at equal fractions.
+  std::vector<std::array<double, 2>> ties{};
+  std::vector<std::array<double, 2>> notches{};  // those of them that are marked
 };
 
 /// Edges worn at a line of the body.

@@ -133,7 +133,7 @@ void check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Se
                    {{draft.seams[i].written, "the second seam"},
                     {before, "the first seam"},
                     {edge_written(pieces, link), "the edge"}},
-                   "an edge is sewn once: divide it where one seam ends and the other begins");
+                   "sew a part of it in each seam, `front.side in 0cm..18cm`, or all layers in one: `sew a to b to c`");
   };
   for (std::size_t i = 0; i < seams.size(); ++i) {
     for (const Seam& seam : seams[i]) {
@@ -148,6 +148,7 @@ void check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Se
       const bool purse = keys(seam.first) == keys(seam.second);
       for (const Chain* chain : {&seam.first, &seam.second}) {
         if (purse && chain == &seam.second) continue;
+        if (seam.is_layer && chain == &seam.first) continue;
         for (const ChainLink& link : *chain) {
           const auto [before, fresh] = sewn.insert({key(link), seam.written});
           if (!fresh) report(i, link, before->second);
@@ -178,6 +179,7 @@ void check_ties(const DraftGarment& draft, const Garment& garment, Findings& fin
     std::replace(group.begin(), group.end(), std::max(from, to), std::min(from, to));
   };
   for (const Seam& seam : garment.seams) {
+    if (seam.open) continue;
     for (const Chain* chain : {&seam.first, &seam.second}) {
       for (const ChainLink& link : *chain) tie(link.edge.piece, seam.first.front().edge.piece);
     }

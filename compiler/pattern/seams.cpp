@@ -138,13 +138,18 @@ class Pairing {
   }
 
   Seam seam(const std::vector<Strand>& first, const std::vector<Strand>& second) const {
-    return {chain_name(first_, first) + " to " + chain_name(second_, second),
-            joined(first),
-            joined(second),
-            draft_.fullness,
-            draft_.stated.value_or(0),
-            false,
-            draft_.written};
+    Seam made;
+    made.name = chain_name(first_, first) + " to " + chain_name(second_, second);
+    made.first = joined(first);
+    made.second = joined(second);
+    made.fullness = draft_.fullness;
+    made.stated = draft_.stated.value_or(0);
+    made.written = draft_.written;
+    made.is_layer = draft_.is_layer;
+    made.closure = draft_.closure;
+    made.open = draft_.open;
+    made.step = draft_.step;
+    return made;
   }
 
   static std::vector<std::pair<int, int>> edges_of(const Seam& seam) {
@@ -169,6 +174,16 @@ bool needs_corners(const FoundChain& first, const FoundChain& second) {
   return (any_free(first) || any_free(second)) && (any_single(first) || any_single(second));
 }
 
+// Two parts of an edge that lie on each other because the cloth is folded between them, sewn from the fold on.
+Seam layers(int piece, int upper, int lower) {
+  Seam seam;
+  seam.is_pleat = true;
+  const bool in_order = lower > upper;
+  seam.first = {{{piece, upper}, !in_order}};
+  seam.second = {{{piece, lower}, in_order}};
+  return seam;
+}
+
 }  // namespace
 
 std::vector<Seam> dart_seams(const std::vector<Piece>& pieces, SewnCorners& corners) {
@@ -177,13 +192,23 @@ std::vector<Seam> dart_seams(const std::vector<Piece>& pieces, SewnCorners& corn
     for (const Dart& dart : pieces[p].darts) {
       Seam seam;
       seam.name = pieces[p].drawn_name + "." + dart.name;
-      if (pieces[p].edges[dart.left_leg].side == Side::Mirrored) seam.name += ".mirrored";
+      if (pieces[p].edge(dart.left_leg).side == Side::Mirrored) seam.name += ".mirrored";
       seam.first = {{{p, dart.left_leg}, true}};
       seam.second = {{{p, dart.right_leg}, false}};
       seam.is_dart = true;
       seam.written = dart.written;
       corners.sew(seam);
       seams.push_back(std::move(seam));
+    }
+    for (const Pleat& pleat : pieces[p].pleats) {
+      for (const auto& [upper, lower] : {std::pair(pleat.face, pleat.under), std::pair(pleat.under, pleat.back)}) {
+        Seam seam = layers(p, upper, lower);
+        seam.name = pieces[p].drawn_name + "." + pleat.name;
+        if (pieces[p].edge(upper).side == Side::Mirrored) seam.name += ".mirrored";
+        seam.written = pleat.written;
+        corners.sew(seam);
+        seams.push_back(std::move(seam));
+      }
     }
   }
   return seams;
@@ -204,7 +229,10 @@ std::vector<std::vector<Seam>> resolve_seams(const DraftGarment& draft, const st
     for (std::size_t i = 0; i < seams.size(); ++i) {
       if (!found[i] || needs_corners(found[i]->first, found[i]->second) != chains) continue;
       seams[i] = Pairing(draft.seams[i], found[i]->first, found[i]->second, pieces, corners).seams();
-      for (const Seam& seam : seams[i]) corners.sew(seam);
+      for (Seam& seam : seams[i]) {
+        if (!tie_places(draft.seams[i], pieces, seam, findings)) break;
+        if (!seam.open) corners.sew(seam);
+      }
     }
   }
   return seams;

@@ -62,9 +62,6 @@ struct FoundEdge {
   bool cut() const { return copies[0].has_value(); }
 };
 
-/// The edge of the outline or of a hole ("eye.rim") as it was drawn, or null.
-const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name);
-
 /// Finds edges by name among the drafted pieces and the pieces cut from them.
 class EdgeFinder {
  public:
@@ -86,14 +83,20 @@ std::vector<Strand> both_copies(const FoundEdge& edge, int reference, bool cloth
 /// "front.side", "front.side.mirrored".
 std::string edge_name(const FoundEdge& edge, std::optional<Side> side);
 
-/// The legs of every dart, sewn from the mouth to the tip.
+/// The legs of every dart, sewn from the mouth to the tip, and the layers of every pleat, sewn from its folds on.
 std::vector<Seam> dart_seams(const std::vector<Piece>& pieces, SewnCorners& corners);
 /// For every `sew` of the script the seams it stands for; none where it cannot be resolved. `corners` comes out sewn.
 std::vector<std::vector<Seam>> resolve_seams(const DraftGarment& draft, const std::vector<Piece>& pieces,
                                              SewnCorners& corners, Findings& findings);
 /// Worn lines; that they run on continuously is only demanded when the garment is `complete`.
-std::vector<Wear> resolve_wears(const DraftGarment& draft, const std::vector<Piece>& pieces, const SewnCorners& corners,
-                                bool complete, Findings& findings);
+std::vector<Wear> resolve_wears(const DraftGarment& draft, const std::vector<Piece>& pieces,
+                                const std::vector<std::vector<Seam>>& seams, const SewnCorners& corners, bool complete,
+                                Findings& findings);
+
+/// Ties the seam's notches and the ends of the stretch that takes its fullness; false after a mistake.
+bool tie_places(const DraftSeam& draft, const std::vector<Piece>& pieces, Seam& seam, Findings& findings);
+/// Marks the notches of seams on both of their sides.
+void add_tied_notches(const std::vector<Seam>& seams, std::vector<Piece>& pieces);
 
 /// Each edge is sewn once, and not point by point to itself.
 void check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
@@ -102,6 +105,18 @@ void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& p
 /// The two sides of a seam are equally long within half a millimetre or a thousandth, or differ as the script allows.
 void check_lengths(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                    const std::vector<Piece>& pieces, Findings& findings);
+
+/// Of a garment that is worn no seam sews the right side of the cloth to the wrong one.
+void check_sides(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
+                 const std::vector<Piece>& pieces, Findings& findings);
+/// A seam of two pieces that explains why lines which should run on from one to the other do not.
+struct TwistedSeam {
+  Location written;
+  bool reversed = false;  // it is so by the script's word
+  std::string remedy;     // what to sew instead; empty for leaving out `reversed`
+};
+std::optional<TwistedSeam> find_twist(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
+                                      const std::vector<Piece>& pieces, PieceId a, PieceId b);
 
 /// Every piece hangs together with the rest by seams, or is worn.
 void check_ties(const DraftGarment& draft, const Garment& garment, Findings& findings);

@@ -25,33 +25,43 @@ std::vector<Strand> strands_of(const std::vector<FoundEdge>& edges, const SewnCo
 }
 
 void report_break(const DraftWear& draft, const std::vector<FoundEdge>& edges, const LinedUp& lined_up,
-                  Findings& findings) {
+                  const std::optional<TwistedSeam>& twist, Findings& findings) {
   const Strand& rest = lined_up.left_over.front();
   const Strand& last = lined_up.strands.back();
   const FoundEdge& loose = edges[rest.reference];
   const FoundEdge& end = edges[last.reference];
   const auto name = [](const FoundEdge& edge, Side side) { return quoted(edge_name(edge, side)); };
-  findings.error(
-      "E0319",
-      fmt::format("the worn line is not continuous once sewn: {} does not run on into {}", name(end, last.side),
-                  name(loose, rest.side)),
-      {{loose.written->written, "no seam joins this edge to the others"},
-       {end.written->written, "the line ends here"},
-       {draft.written, "the worn line"}},
-      "sew the edges beside them, name one copy alone (`piece.edge.mirrored`), or write a `wear` for each line");
+  std::vector<Label> labels{{loose.written->written, "no seam joins this edge to the others"},
+                            {end.written->written, "the line ends here"},
+                            {draft.written, "the worn line"}};
+  std::string help =
+      "sew the edges beside them, name one copy alone (`piece.edge.mirrored`), or write a `wear` for each line";
+  if (twist) {
+    labels.push_back({twist->written, "this seam is twisted"});
+    help = twist->reversed ? "leave out `reversed`: start to start the seam turns a piece upside down" : twist->remedy;
+  }
+  findings.error("E0319",
+                 fmt::format("the worn line is not continuous once sewn: {} does not run on into {}",
+                             name(end, last.side), name(loose, rest.side)),
+                 std::move(labels), std::move(help));
 }
 
 }  // namespace
 
-std::vector<Wear> resolve_wears(const DraftGarment& draft, const std::vector<Piece>& pieces, const SewnCorners& corners,
-                                bool complete, Findings& findings) {
+std::vector<Wear> resolve_wears(const DraftGarment& draft, const std::vector<Piece>& pieces,
+                                const std::vector<std::vector<Seam>>& seams, const SewnCorners& corners, bool complete,
+                                Findings& findings) {
   const EdgeFinder finder(draft, pieces);
   std::vector<Wear> wears;
   for (const DraftWear& wear : draft.wears) {
     const std::optional<std::vector<FoundEdge>> edges = finder.find(wear.chain, "worn", findings);
     if (!edges || !std::all_of(edges->begin(), edges->end(), [](const FoundEdge& e) { return e.cut(); })) continue;
     LinedUp lined_up = line_up(strands_of(*edges, corners), false, corners);
-    if (!lined_up.left_over.empty() && complete) report_break(wear, *edges, lined_up, findings);
+    if (!lined_up.left_over.empty() && complete) {
+      const PieceId last = lined_up.strands.back().links.back().edge.piece;
+      const PieceId rest = lined_up.left_over.front().links.front().edge.piece;
+      report_break(wear, *edges, lined_up, find_twist(draft, seams, pieces, last, rest), findings);
+    }
     wears.push_back({joined(lined_up.strands), wear.line, wear.held, wear.from, wear.written});
   }
   return wears;

@@ -93,14 +93,16 @@ class ChainLine {
   double length_ = 0;
 };
 
-/// Pairs of positions, one on each line, that are one node; first and last among them.
-std::vector<std::array<std::size_t, 2>> matches(const ChainLine& a, const ChainLine& b, double tolerance) {
+using Match = std::array<std::size_t, 2>;
+
+/// Pairs of positions between two pairs that are known; the last of these is added, too.
+void match_between(const ChainLine& a, const ChainLine& b, double tolerance, Match last, std::vector<Match>& pairs) {
   const auto &pa = a.positions(), &pb = b.positions();
-  const double longer = std::max(a.length(), b.length());
-  std::vector<std::array<std::size_t, 2>> pairs{{0, 0}};
-  std::size_t i = 1, j = 1;
-  while (i + 1 < pa.size() && j + 1 < pb.size()) {
-    const double difference = (pa[i] / a.length() - pb[j] / b.length()) * longer;
+  const Match first = pairs.back();
+  const double la = pa[last[0]] - pa[first[0]], lb = pb[last[1]] - pb[first[1]], longer = std::max(la, lb);
+  std::size_t i = first[0] + 1, j = first[1] + 1;
+  while (i < last[0] && j < last[1]) {
+    const double difference = ((pa[i] - pa[first[0]]) / la - (pb[j] - pb[first[1]]) / lb) * longer;
     const double within = std::max(kSame, std::min({tolerance, 0.25 * a.gap(i), 0.25 * b.gap(j)}));
     if (std::abs(difference) <= within) {
       pairs.push_back({i++, j++});
@@ -108,7 +110,28 @@ std::vector<std::array<std::size_t, 2>> matches(const ChainLine& a, const ChainL
       ++(difference < 0 ? i : j);
     }
   }
-  pairs.push_back({pa.size() - 1, pb.size() - 1});
+  pairs.push_back(last);
+}
+
+std::size_t nearest_position(const ChainLine& line, double position) {
+  const auto& p = line.positions();
+  const auto after = std::lower_bound(p.begin(), p.end(), position);
+  if (after == p.begin()) return 0;
+  if (after == p.end() || position - *(after - 1) < *after - position) return after - p.begin() - 1;
+  return after - p.begin();
+}
+
+/// Pairs of positions, one on each line, that are one node; first and last among them, and those that are tied.
+std::vector<Match> matches(const ChainLine& a, const ChainLine& b, const Seam& seam, double tolerance) {
+  const Match last{a.positions().size() - 1, b.positions().size() - 1};
+  std::vector<Match> pairs{{0, 0}};
+  for (const auto& tie : seam.ties) {
+    const Match tied{nearest_position(a, tie[0]), nearest_position(b, tie[1])};
+    const bool between =
+        tied[0] > pairs.back()[0] && tied[1] > pairs.back()[1] && tied[0] < last[0] && tied[1] < last[1];
+    if (between) match_between(a, b, tolerance, tied, pairs);
+  }
+  match_between(a, b, tolerance, last, pairs);
   return pairs;
 }
 
@@ -132,16 +155,28 @@ bool sewable(const Seam& seam, const Bundles& bundles) {
       return sum + bundles.edges[bundles.edge(link.edge)].length;
     });
   };
-  return length(seam.first) > kSame && length(seam.second) > kSame;
+  return !seam.open && length(seam.first) > kSame && length(seam.second) > kSame;
+}
+
+/// Tied places get their nodes before corners are carried across.
+void break_at_ties(const Garment& garment, Bundles& bundles) {
+  for (const Seam& seam : garment.seams) {
+    for (const auto& tie : seam.ties) {
+      if (!sewable(seam, bundles)) continue;
+      ChainLine(seam.first, bundles).add_break(tie[0]);
+      ChainLine(seam.second, bundles).add_break(tie[1]);
+    }
+  }
 }
 
 void carry_breaks(const Garment& garment, double tolerance, Bundles& bundles) {
+  break_at_ties(garment, bundles);
   for (int round = 0; round < kRounds; ++round) {
     bool any = false;
     for (const Seam& seam : garment.seams) {
       if (!sewable(seam, bundles)) continue;
       ChainLine first(seam.first, bundles), second(seam.second, bundles);
-      const auto pairs = matches(first, second, tolerance);
+      const auto pairs = matches(first, second, seam, tolerance);
       any |= carry(first, second, pairs, 0);
       any |= carry(second, first, pairs, 1);
     }
@@ -167,7 +202,7 @@ void pair_stretches(const Garment& garment, double tolerance, Bundles& bundles) 
     if (!sewable(seam, bundles)) continue;
     const ChainLine first(seam.first, bundles), second(seam.second, bundles);
     const auto a = first.stretches(), b = second.stretches();
-    const auto pairs = matches(first, second, tolerance);
+    const auto pairs = matches(first, second, seam, tolerance);
     for (std::size_t k = 0; k + 1 < pairs.size(); ++k) {
       // Where the rounds ran out a corner may be left without its partner: that stretch stays open.
       if (pairs[k + 1][0] != pairs[k][0] + 1 || pairs[k + 1][1] != pairs[k][1] + 1) continue;

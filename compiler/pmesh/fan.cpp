@@ -10,6 +10,7 @@ namespace {
 using std::numbers::pi;
 constexpr int kMostRings = 64;
 constexpr double kWide = 1.3;        // of a side: sectors of this width need no pins
+constexpr double kApart = 0.5;       // of a sector or side, between pins
 constexpr double kClearance = 0.25;  // of a sector or side, whichever is smaller
 
 /// The distance from the outline, negative outside.
@@ -47,7 +48,11 @@ void add_fan(PlaneDomain& domain, int loop, int node, int sectors) {
       const double part = static_cast<double>(k) / sectors;
       const double radius = std::pow(norm(first), 1 - part) * std::pow(norm(last), part);
       const Vec2 pin = tip + radius * direction(std::atan2(first.y, first.x) + part * angle);
-      if (clearance(domain.loops, pin) > kClearance * std::min(width, side)) domain.pins.push_back(pin);
+      const double least = std::min(width, side);
+      // Fans of two folds beside each other reach over the same cloth.
+      const bool is_new = std::none_of(domain.pins.begin(), domain.pins.end(),
+                                       [&](Vec2 other) { return distance(other, pin) < kApart * least; });
+      if (is_new && clearance(domain.loops, pin) > kClearance * least) domain.pins.push_back(pin);
     }
   }
 }

@@ -12,6 +12,7 @@ namespace {
 constexpr int kRounds = 12;              // of agreeing on the outlines; then they are frozen
 constexpr double kShortest = 1.0 / 128;  // of the target edge
 constexpr double kMostTriangles = 4e5;
+constexpr double kCreaseSpacing = 0.7;  // of the target edge: nodes on a crease see each other before they see others
 
 /// Options that cannot ask for more triangles than a machine holds.
 PMeshOptions bounded(const Garment& garment, PMeshOptions options) {
@@ -73,8 +74,33 @@ PlaneDomain GarmentMesher::lay_out(PieceState& piece, PieceId id) const {
     }
   }
   piece.loop_begin.push_back(static_cast<int>(piece.outline.size()));
+  pin_creases(id, domain);
   add_pins(piece, domain);
   return domain;
+}
+
+/// How far a crease is from the nearest other one of its piece [m], by their middles.
+double GarmentMesher::room_beside(const LineMark& crease, const Piece& piece) {
+  const Vec2 middle = crease.curve.at(crease.curve.length() / 2);
+  double nearest = 1e300;
+  for (const LineMark& mark : piece.marks) {
+    if (&mark == &crease || (mark.kind != LineMark::Kind::Fold && mark.kind != LineMark::Kind::InnerFold)) continue;
+    nearest = std::min(nearest, distance(middle, mark.curve.at(mark.curve.length() / 2)));
+  }
+  return nearest;
+}
+
+/// Nodes along the creases of pleats, so that edges lie on them.
+void GarmentMesher::pin_creases(PieceId id, PlaneDomain& domain) const {
+  for (const LineMark& mark : garment_.pieces[id].marks) {
+    if (mark.kind != LineMark::Kind::Fold && mark.kind != LineMark::Kind::InnerFold) continue;
+    const double length = mark.curve.length();
+    const double spacing =
+        std::max(kCreaseSpacing * std::min(options_.target_edge, room_beside(mark, garment_.pieces[id])),
+                 pieces_[id].size.shortest);
+    const int parts = static_cast<int>(std::ceil(length / spacing));
+    for (int i = 1; i < parts; ++i) domain.pins.push_back(mark.curve.at(length * i / parts));
+  }
 }
 
 void GarmentMesher::add_pins(const PieceState& piece, PlaneDomain& domain) const {

@@ -52,6 +52,8 @@ class GarmentMesher {
   void settle();
   void triangulate_piece(PieceId id, Outline outline);
   PlaneDomain lay_out(PieceState& piece, PieceId id) const;
+  static double room_beside(const LineMark& crease, const Piece& piece);
+  void pin_creases(PieceId id, PlaneDomain& domain) const;
   void add_pins(const PieceState& piece, PlaneDomain& domain) const;
   std::vector<SideSplit> wishes(const PieceState& piece) const;
   void apply_splits();

@@ -1,6 +1,8 @@
 #include "compiler/smesh/glue.hpp"
 
 #include <algorithm>
+#include <cmath>
+#include <numbers>
 #include <tuple>
 
 #include "compiler/smesh/disjoint_sets.hpp"
@@ -51,29 +53,100 @@ void list_edges(SMesh& s) {
   }
 }
 
-void mark_seams(const PMesh& mesh, SMesh& s) {
-  for (int seam = 0; seam < static_cast<int>(mesh.sewn.size()); ++seam) {
-    for (const PMesh::SewnRun& run : mesh.sewn[seam]) {
-      for (std::size_t i = 0; i + 1 < run.first.size(); ++i) {
-        const auto [low, high] = std::minmax(s.s_of_p[run.first[i]], s.s_of_p[run.first[i + 1]]);
-        const std::array<int, 2> ends{low, high};
-        const auto edge = std::lower_bound(s.edges.begin(), s.edges.end(), ends,
-                                           [](const SMesh::Edge& e, const auto& v) { return e.vertices < v; });
-        if (edge != s.edges.end() && edge->vertices == ends && edge->seam < 0) edge->seam = seam;
+SMesh::Edge* edge_between(SMesh& s, int a, int b) {
+  const auto [low, high] = std::minmax(a, b);
+  const std::array<int, 2> ends{low, high};
+  const auto edge = std::lower_bound(s.edges.begin(), s.edges.end(), ends,
+                                     [](const SMesh::Edge& e, const auto& v) { return e.vertices < v; });
+  return edge != s.edges.end() && edge->vertices == ends ? &*edge : nullptr;
+}
+
+/// Puts the wings of those two sides first.
+void pair_wings(const PMesh& mesh, const std::array<int, 2>& first, const std::array<int, 2>& second,
+                SMesh::Edge& edge) {
+  const auto rank = [&](const SMesh::Wing& wing) {
+    const auto& t = mesh.triangles[wing.triangle];
+    const auto [low, high] = std::minmax(t[(wing.corner + 1) % 3], t[(wing.corner + 2) % 3]);
+    const std::array<int, 2> side{low, high};
+    return side == first ? 0 : side == second ? 1 : 2;
+  };
+  std::stable_sort(edge.wings.begin(), edge.wings.end(),
+                   [&](const SMesh::Wing& a, const SMesh::Wing& b) { return rank(a) < rank(b); });
+}
+
+std::array<int, 2> side_of(const std::vector<int>& run, std::size_t i) {
+  const auto [low, high] = std::minmax(run[i], run[i + 1]);
+  return {low, high};
+}
+
+/// An edge lies on the seam that joins it, before it lies on one of its further layers or of a pleat.
+void mark_seams(const Garment& garment, const PMesh& mesh, SMesh& s) {
+  for (const bool further : {false, true}) {
+    for (int seam = 0; seam < static_cast<int>(mesh.sewn.size()); ++seam) {
+      if ((garment.seams[seam].is_layer || garment.seams[seam].is_pleat) != further) continue;
+      for (const PMesh::SewnRun& run : mesh.sewn[seam]) {
+        for (std::size_t i = 0; i + 1 < run.first.size(); ++i) {
+          SMesh::Edge* edge = edge_between(s, s.s_of_p[run.first[i]], s.s_of_p[run.first[i + 1]]);
+          if (edge == nullptr || edge->seam >= 0) continue;
+          edge->seam = seam;
+          if (edge->wings.size() > 2) pair_wings(mesh, side_of(run.first, i), side_of(run.second, i), *edge);
+        }
       }
+    }
+  }
+}
+
+/// The crease lines of a piece: straight, with the angle that they are pressed to.
+struct Crease {
+  Vec2 from, along;
+  double length = 0;
+  double angle = 0;
+
+  bool holds(Vec2 p) const {
+    constexpr double kOn = 1e-7;  // [m]
+    const double s = dot(p - from, along);
+    return std::abs(cross(along, p - from)) < kOn && s > -kOn && s < length + kOn;
+  }
+};
+
+std::vector<Crease> creases_of(const Piece& piece) {
+  // Pressed folds spring open a little.
+  constexpr double kPressed = 170 * std::numbers::pi / 180;
+  std::vector<Crease> creases;
+  for (const LineMark& mark : piece.marks) {
+    const bool ridge = mark.kind == LineMark::Kind::Fold, valley = mark.kind == LineMark::Kind::InnerFold;
+    if (!ridge && !valley) continue;
+    const Vec2 from = mark.curve.start(), to = mark.curve.end();
+    const double length = distance(from, to);
+    if (length > 0) creases.push_back({from, (to - from) / length, length, ridge ? kPressed : -kPressed});
+  }
+  return creases;
+}
+
+void mark_creases(const Garment& garment, const PMesh& mesh, SMesh& s) {
+  std::vector<std::vector<Crease>> creases;
+  for (const Piece& piece : garment.pieces) creases.push_back(creases_of(piece));
+  for (SMesh::Edge& edge : s.edges) {
+    if (edge.wings.size() != 2 || edge.seam >= 0) continue;
+    const SMesh::Wing& wing = edge.wings.front();
+    const auto& t = mesh.triangles[wing.triangle];
+    const Vec2 a = mesh.points[t[(wing.corner + 1) % 3]], b = mesh.points[t[(wing.corner + 2) % 3]];
+    for (const Crease& crease : creases[mesh.piece_of_triangle[wing.triangle]]) {
+      if (crease.holds(a) && crease.holds(b)) edge.crease = crease.angle;
     }
   }
 }
 
 }  // namespace
 
-SMesh glue(const PMesh& mesh) {
+SMesh glue(const Garment& garment, const PMesh& mesh) {
   SMesh s;
   unify_vertices(mesh, s);
   s.triangles.reserve(mesh.triangles.size());
   for (const auto& [a, b, c] : mesh.triangles) s.triangles.push_back({s.s_of_p[a], s.s_of_p[b], s.s_of_p[c]});
   list_edges(s);
-  mark_seams(mesh, s);
+  mark_seams(garment, mesh, s);
+  mark_creases(garment, mesh, s);
   return s;
 }
 

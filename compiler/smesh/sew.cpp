@@ -82,7 +82,7 @@ SewnMesh sew(const Garment& garment, const PMeshOptions& options) {
   SewnMesh mesh;
   for (int round = 0; round < kRounds; ++round) {
     mesh.p = mesher.mesh();
-    mesh.s = glue(mesh.p);
+    mesh.s = glue(garment, mesh.p);
     const std::vector<Breach> breaches = find_breaches(mesh.p, mesh.s);
     if (breaches.empty()) break;
     mend(mesh, breaches, mesher);

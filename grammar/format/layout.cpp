@@ -128,7 +128,8 @@ class Layout {
     Parts inside;
     for (std::size_t i = 1; i + 1 < all_parts.size(); ++i) {
       const bool is_comma = all_parts[i].kind() == Kind::Comma;
-      const bool after_property = i > 1 && all_parts[i - 1].kind() == Kind::Property;
+      const Kind before = all_parts[i - 1].kind();
+      const bool after_property = i > 1 && (before == Kind::Property || before == Kind::Flag);
       if (!is_comma && i > 1) inside.push_back(after_property ? new_line() : blank_or_break());
       inside.push_back(is_comma ? token_doc(all_parts[i].id) : property(all_parts[i]));
     }

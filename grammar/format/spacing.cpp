@@ -86,6 +86,13 @@ Table table_of(Kind kind) {
     case Kind::Grain:
     case Kind::Dart:
     case Kind::Notch:
+    case Kind::Pivot:
+    case Kind::Spread:
+    case Kind::Pleat:
+    case Kind::Mark:
+    case Kind::Drill:
+    case Kind::Button:
+    case Kind::Buttonhole:
     case Kind::Label:
     case Kind::Arrange:
       return Table::Detail;

@@ -141,10 +141,10 @@ void build(CLI::App& app, Arguments& arguments) {
   CLI::App& compile = subcommand(app, arguments, Task::Compile, "compile", "Show a stage of the compiler as text",
                                  "toile compile skirt.toile --emit smesh -o skirt.smesh");
   script_file(compile, arguments);
-  compile.add_option("--emit", arguments.stage, "the stage: ast, pattern, pmesh or smesh")
+  compile.add_option("--emit", arguments.stage, "the stage: ast, pattern, sewing, pmesh or smesh")
       ->required()
       ->type_name("STAGE")
-      ->check(CLI::IsMember({"ast", "pattern", "pmesh", "smesh"}).description(""));
+      ->check(CLI::IsMember({"ast", "pattern", "sewing", "pmesh", "smesh"}).description(""));
   compile.add_option("-o", arguments.outputs, "the file; standard output by default")->type_name("F")->expected(1);
   compile.add_option("--garment", arguments.garment, "which garment, where the script has several")->type_name("NAME");
   triangles_option(compile, arguments);
@@ -152,6 +152,7 @@ void build(CLI::App& app, Arguments& arguments) {
   CLI::App& draft = subcommand(app, arguments, Task::Draft, "draft", "Draw the flat pattern, nothing is solved",
                                "toile draft skirt.toile -o skirt.svg");
   script_file(draft, arguments);
+  draft.add_flag("--sewing", arguments.sewing, "write the order of sewing instead, step by step: .txt or .json");
   draft.add_option("-o", arguments.outputs, "the file: .svg (true scale) or .json")
       ->required()
       ->type_name("F")

@@ -37,6 +37,7 @@ struct Arguments {
   std::optional<double> accuracy;
   DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
   std::string stage;                 // `compile`
+  bool sewing = false;               // `draft`
   std::vector<std::string> outputs;  // -o
   std::string report, profile;
   std::string view, field;  // `render`

@@ -55,7 +55,7 @@ void carry_out(Workroom& workroom, const Arguments& arguments) {
     case Task::Compile:
       return compile(workroom, arguments);
     case Task::Draft:
-      return draft(workroom, arguments.garment, arguments.outputs.front());
+      return (arguments.sewing ? draft_sewing : draft)(workroom, arguments.garment, arguments.outputs.front());
     case Task::Drape:
       return drape_once(workroom, drape_request(arguments));
     case Task::Render: {

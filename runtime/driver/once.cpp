@@ -30,6 +30,15 @@ void draft(Workroom& workroom, const std::string& garment, const std::filesystem
   workroom.write(file, *pattern_file(file, workroom.program().garments()[static_cast<std::size_t>(*chosen)]));
 }
 
+void draft_sewing(Workroom& workroom, const std::string& garment, const std::filesystem::path& file) {
+  const std::optional<int> chosen = choose_garment(workroom, garment);
+  if (!chosen) return;
+  const auto text = sewing_file(file, workroom.program().garments()[static_cast<std::size_t>(*chosen)]);
+  if (text) return workroom.write(file, *text);
+  workroom.wrong_usage(fmt::format("{} is no kind of file for the order of sewing", file.string()),
+                       fmt::format("give a name that ends in {}", sewing_endings()));
+}
+
 void drape_once(Workroom& workroom, const DrapeRequest& request) {
   for (const std::filesystem::path& file : request.files) {
     if (!is_drape_file(file)) {

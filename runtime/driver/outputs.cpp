@@ -29,6 +29,11 @@ constexpr std::array<std::pair<std::string_view, PatternWriter>, 2> pattern_writ
     {".json", pattern_json},
 }};
 
+constexpr std::array<std::pair<std::string_view, PatternWriter>, 2> sewing_writers{{
+    {".txt", sewing_text},
+    {".json", sewing_json},
+}};
+
 template <class Writers>
 auto writer_for(const Writers& writers, const std::filesystem::path& path) -> decltype(writers.front().second) {
   for (const auto& [ending, writer] : writers) {
@@ -65,6 +70,14 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
 std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment) {
   const PatternWriter writer = writer_for(pattern_writers, path);
   return writer == nullptr ? std::nullopt : std::optional(writer(garment));
+}
+
+std::optional<std::string> sewing_file(const std::filesystem::path& path, const Garment& garment) {
+  const PatternWriter writer = writer_for(sewing_writers, path);
+  return writer == nullptr ? std::nullopt : std::optional(writer(garment));
+}
+std::string sewing_endings() {
+  return listed(sewing_writers);
 }
 
 std::string drape_endings() {

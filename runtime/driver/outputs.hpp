@@ -16,6 +16,9 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
                                       const std::string& script);
 /// A flat pattern as .svg or .json; nullopt for another ending.
 std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment);
+/// The order of sewing as .txt or .json; nullopt for another ending.
+std::optional<std::string> sewing_file(const std::filesystem::path& path, const Garment& garment);
+std::string sewing_endings();
 std::string drape_endings();
 std::string pattern_endings();
 bool is_drape_file(const std::filesystem::path& path);

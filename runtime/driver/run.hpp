@@ -18,13 +18,15 @@ void run_commands(Workroom& workroom);
 void check_meshes(Workroom& workroom);
 
 /// A stage of the compiler as stable text.
-enum class Stage { Ast, Pattern, PMesh, SMesh };
+enum class Stage { Ast, Pattern, PMesh, SMesh, Sewing };
 std::optional<Stage> stage_named(const std::string& name);
 /// Nullopt when the script has no such garment, or several and none was named: that has then been said.
 std::optional<std::string> emit_stage(Workroom& workroom, Stage stage, const std::string& garment);
 
 /// The flat pattern to a file.
 void draft(Workroom& workroom, const std::string& garment, const std::filesystem::path& file);
+/// The order of sewing to a file.
+void draft_sewing(Workroom& workroom, const std::string& garment, const std::filesystem::path& file);
 
 /// What `toile drape` and `toile render` are asked for; empty names leave the choice to the script's first drape
 /// command, or to there being only one.

@@ -5,6 +5,7 @@
 
 #include "runtime/driver/choice.hpp"
 #include "runtime/driver/run.hpp"
+#include "runtime/export/export.hpp"
 
 namespace toile {
 namespace {
@@ -16,8 +17,11 @@ std::string counted(std::size_t count, const char* what) {
 }  // namespace
 
 std::optional<Stage> stage_named(const std::string& name) {
-  constexpr std::array<std::pair<const char*, Stage>, 4> stages{
-      {{"ast", Stage::Ast}, {"pattern", Stage::Pattern}, {"pmesh", Stage::PMesh}, {"smesh", Stage::SMesh}}};
+  constexpr std::array<std::pair<const char*, Stage>, 5> stages{{{"ast", Stage::Ast},
+                                                                 {"pattern", Stage::Pattern},
+                                                                 {"pmesh", Stage::PMesh},
+                                                                 {"smesh", Stage::SMesh},
+                                                                 {"sewing", Stage::Sewing}}};
   for (const auto& [known, stage] : stages) {
     if (name == known) return stage;
   }
@@ -29,6 +33,7 @@ std::optional<std::string> emit_stage(Workroom& workroom, Stage stage, const std
   if (stage == Stage::Pattern) return emit_pattern(workroom.program());
   const std::optional<int> chosen = choose_garment(workroom, garment);
   if (!chosen) return std::nullopt;
+  if (stage == Stage::Sewing) return sewing_text(workroom.program().garments()[static_cast<std::size_t>(*chosen)]);
   const std::shared_ptr<const MadeGarment> made = workroom.make(*chosen);
   if (!made) return std::nullopt;
   return stage == Stage::PMesh ? emit(made->mesh.p, made->garment) : emit(made->mesh.s, made->garment);

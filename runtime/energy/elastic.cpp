@@ -42,7 +42,7 @@ void ElasticForm::make_hinges(const Cloth& cloth) {
   };
   const auto free_wing = [&](int edge, const SMesh::Wing& wing) {
     side(wing) = {static_cast<int>(hinges_.size()), 0, 1};
-    hinges_.push_back({edge, {corner_vertex(wing, 1), corner_vertex(wing, 2), corner_vertex(wing, 0), -1}});
+    hinges_.push_back({edge, {corner_vertex(wing, 1), corner_vertex(wing, 2), corner_vertex(wing, 0), -1}, 0});
   };
   // Hinge e belongs to edge e; further wings of a T-seam come after all edges.
   for (int edge = 0; edge < cloth.edge_count; ++edge) {
@@ -58,7 +58,9 @@ void ElasticForm::make_hinges(const Cloth& cloth) {
     side(first) = {edge, 1, 1};
     side(second) = agree ? HingeSide{edge, 1, -1} : HingeSide{edge, -1, 1};
     hinges_.push_back(
-        {edge, {corner_vertex(first, 1), corner_vertex(first, 2), corner_vertex(first, 0), corner_vertex(second, 0)}});
+        {edge,
+         {corner_vertex(first, 1), corner_vertex(first, 2), corner_vertex(first, 0), corner_vertex(second, 0)},
+         cloth.edges[static_cast<size_t>(edge)].crease});
   }
   for (int edge = 0; edge < cloth.edge_count; ++edge) {
     const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
@@ -131,7 +133,7 @@ Hinge ElasticForm::hinge_points(const ClothHinge& hinge, const Vector& q) const 
 double ElasticForm::angle(size_t hinge, const Vector& q) const {
   if (hinges_[hinge].vertices[3] < 0) return 0;
   constexpr double turn = 2 * std::numbers::pi;
-  const double raw = dihedral(hinge_points(hinges_[hinge], q));
+  const double raw = dihedral(hinge_points(hinges_[hinge], q)) - hinges_[hinge].crease;
   return raw + turn * std::round((last_angle_[hinge] - raw) / turn);
 }
 

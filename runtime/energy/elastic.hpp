@@ -17,6 +17,7 @@ namespace toile {
 struct ClothHinge {
   int edge = 0;
   std::array<int, 4> vertices{};  // as in Hinge; the last is -1 on a free edge
+  double crease = 0;              // [rad] its angle at rest, from which all angles are counted
 };
 
 /// A triangle's part in the hinge opposite to one of its corners: its angle is tilt * theta / 2 + turn * rotation.

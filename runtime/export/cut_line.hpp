@@ -7,8 +7,9 @@
 
 namespace toile {
 
-/// A closed polygon [m] to the right of the edges, each by its own allowance, with mitred corners that reach at most
-/// twice the wider allowance beyond the corner. Darts are not cut out: the line passes straight across their mouths.
+/// A closed polygon [m] to the right of the edges, each by its own allowance, with corners as they ask for; mitred
+/// ones reach at most twice the wider allowance beyond the corner. Darts are not cut out: over the mouth of one that is
+/// pressed to a side the line runs so that the folded dart is cut with that side's allowance, else straight across.
 std::vector<Vec2> cut_line(const std::vector<PieceEdge>& edges);
 
 }  // namespace toile

@@ -32,4 +32,8 @@ std::string mesh_json(const Garment& garment, const SewnMesh& mesh);
 std::string pattern_svg(const Garment& garment);
 std::string pattern_json(const Garment& garment);
 
+/// The order of sewing, step by step, with lengths, allowances, notches and directions of pressing.
+std::string sewing_text(const Garment& garment);
+std::string sewing_json(const Garment& garment);
+
 }  // namespace toile

@@ -8,6 +8,7 @@
 #include "compiler/pattern/region.hpp"
 #include "runtime/export/export.hpp"
 #include "runtime/export/json_layout.hpp"
+#include "runtime/export/sewing_instructions.hpp"
 
 namespace toile {
 
@@ -39,18 +40,23 @@ Json json(const BezierSegment& bezier) {
           {"points_m", Json::array({json(bezier.p0), json(bezier.p1), json(bezier.p2), json(bezier.p3)})}};
 }
 
-Json json(const PieceEdge& edge) {
+Json json(const Curve& curve) {
   Json segments = Json::array();
-  for (const Segment& segment : edge.curve.segments()) {
+  for (const Segment& segment : curve.segments()) {
     segments.push_back(std::visit([](const auto& s) { return json(s); }, segment));
   }
+  return segments;
+}
+
+Json json(const PieceEdge& edge) {
   return {{"name", edge.name},
           {"mirrored", edge.side == Side::Mirrored},
           {"part", edge.part},
           {"dart_leg", edge.is_dart_leg},
+          {"folded_under", edge.folded_under},
           {"length_m", tidy(edge.curve.length())},
           {"allowance_m", tidy(edge.allowance)},
-          {"segments", segments}};
+          {"segments", json(edge.curve)}};
 }
 
 Json json(const std::vector<PieceEdge>& edges) {
@@ -59,12 +65,38 @@ Json json(const std::vector<PieceEdge>& edges) {
   return list;
 }
 
+// The leg on whose side the dart lies once it is pressed.
+const char* pressed(const Piece& piece, const Dart& dart) {
+  if (piece.edge(dart.left_leg).pressed_onto) return "left";
+  return piece.edge(dart.right_leg).pressed_onto ? "right" : "open";
+}
+
+Json line_marks(const Piece& piece) {
+  Json list = Json::array();
+  for (const LineMark& mark : piece.marks) {
+    constexpr const char* kinds[] = {"line", "fold", "inner_fold", "placement"};
+    list.push_back({{"kind", kinds[static_cast<int>(mark.kind)]}, {"segments", json(mark.curve)}});
+  }
+  return list;
+}
+
+Json point_marks(const Piece& piece) {
+  Json list = Json::array();
+  for (const PointMark& mark : piece.spots) {
+    constexpr const char* kinds[] = {"drill", "button", "buttonhole"};
+    list.push_back({{"kind", kinds[static_cast<int>(mark.kind)]},
+                    {"at_m", json(mark.at)},
+                    {"length_m", tidy(mark.length)},
+                    {"angle_rad", tidy(mark.angle)}});
+  }
+  return list;
+}
+
 Json marks(const Piece& piece) {
   Json notches = Json::array(), darts = Json::array();
   for (const Notch& notch : piece.notches) {
-    notches.push_back({{"edge", notch.edge},
-                       {"at_m", tidy(notch.at)},
-                       {"point_m", json(piece.edges[static_cast<std::size_t>(notch.edge)].curve.at(notch.at))}});
+    notches.push_back(
+        {{"edge", notch.edge}, {"at_m", tidy(notch.at)}, {"point_m", json(piece.edge(notch.edge).curve.at(notch.at))}});
   }
   for (const Dart& dart : piece.darts) {
     darts.push_back({{"name", dart.name},
@@ -72,9 +104,20 @@ Json marks(const Piece& piece) {
                      {"right_leg", dart.right_leg},
                      {"tip_m", json(dart.tip)},
                      {"width_m", tidy(dart.width)},
-                     {"depth_m", tidy(dart.depth)}});
+                     {"depth_m", tidy(dart.depth)},
+                     {"other_tip_m", dart.other_tip ? json(*dart.other_tip) : Json()},
+                     {"trued", dart.trued},
+                     {"pressed", pressed(piece, dart)}});
   }
-  return {{"notches", notches}, {"darts", darts}};
+  Json pleats = Json::array();
+  for (const Pleat& pleat : piece.pleats) {
+    pleats.push_back({{"name", pleat.name}, {"face", pleat.face}, {"under", pleat.under}, {"back", pleat.back}});
+  }
+  return {{"notches", notches},
+          {"darts", darts},
+          {"pleats", pleats},
+          {"marks", line_marks(piece)},
+          {"spots", point_marks(piece)}};
 }
 
 Json json(const Piece& piece) {
@@ -87,6 +130,7 @@ Json json(const Piece& piece) {
   Json object{
       {"name", piece.name},         {"drawn_name", piece.drawn_name}, {"mirrored", piece.side == Side::Mirrored},
       {"quantity", piece.quantity}, {"area_m2", tidy(area)},          {"warp", json(piece.warp)}};
+  object["label"] = piece.label;
   object["fold_m"] = piece.fold ? Json::array({json(piece.fold->from), json(piece.fold->to)}) : Json();
   object["edges"] = json(piece.edges);
   object["holes"] = holes;
@@ -118,19 +162,37 @@ const char* word(Seam::Fullness fullness) {
   return "none";
 }
 
+const char* closure(Seam::Closure closure) {
+  if (closure == Seam::Closure::Zipped) return "zipped";
+  return closure == Seam::Closure::Buttoned ? "buttoned" : "none";
+}
+
+Json ties(const Seam& seam) {
+  Json list = Json::array();
+  for (const auto& tie : seam.ties) list.push_back({tidy(tie[0]), tidy(tie[1])});
+  return list;
+}
+
+Json json(const Garment& garment, const Seam& seam) {
+  return {{"name", seam.name},
+          {"dart", seam.is_dart},
+          {"fullness", word(seam.fullness)},
+          {"stated_m", tidy(seam.stated)},
+          {"pleat", seam.is_pleat},
+          {"layer", seam.is_layer},
+          {"closure", closure(seam.closure)},
+          {"open", seam.open},
+          {"ties_m", ties(seam)},
+          {"first", json(garment, seam.first)},
+          {"second", json(garment, seam.second)}};
+}
+
 }  // namespace
 
 std::string pattern_json(const Garment& garment) {
   Json pieces = Json::array(), seams = Json::array(), wears = Json::array();
   for (const Piece& piece : garment.pieces) pieces.push_back(json(piece));
-  for (const Seam& seam : garment.seams) {
-    seams.push_back({{"name", seam.name},
-                     {"dart", seam.is_dart},
-                     {"fullness", word(seam.fullness)},
-                     {"stated_m", tidy(seam.stated)},
-                     {"first", json(garment, seam.first)},
-                     {"second", json(garment, seam.second)}});
-  }
+  for (const Seam& seam : garment.seams) seams.push_back(json(garment, seam));
   for (const Wear& wear : garment.wears) {
     wears.push_back(
         {{"line", wear.line}, {"held", wear.held}, {"from", tidy(wear.from)}, {"chain", json(garment, wear.chain)}});
@@ -141,6 +203,27 @@ std::string pattern_json(const Garment& garment) {
                       {"pieces", pieces},
                       {"seams", seams},
                       {"wears", wears}};
+  return laid_out(document.dump(-1, ' ', false, Json::error_handler_t::replace));
+}
+
+std::string sewing_json(const Garment& garment) {
+  Json steps = Json::array();
+  for (const SewingInstruction& each : sewing_instructions(garment)) {
+    Json seams = Json::array(), edges = Json::array();
+    for (const int seam : each.step.seams) seams.push_back(json(garment, garment.seams[seam]));
+    for (const EdgeRef& ref : each.step.edges) {
+      edges.push_back({{"piece", ref.piece}, {"edge", json(garment.pieces[ref.piece].edge(ref.edge))}});
+    }
+    steps.push_back({{"step", steps.size() + 1},
+                     {"operation", each.operation},
+                     {"of", each.of},
+                     {"instructions", each.lines},
+                     {"seams", seams},
+                     {"edges", edges}});
+  }
+  Json pieces = Json::array();
+  for (const Piece& piece : garment.pieces) pieces.push_back({{"name", piece.name}, {"quantity", piece.quantity}});
+  const Json document{{"garment", garment.name}, {"fabric", garment.fabric.name}, {"pieces", pieces}, {"steps", steps}};
   return laid_out(document.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
 

@@ -12,6 +12,7 @@
 #include "runtime/export/cut_line.hpp"
 #include "runtime/export/export.hpp"
 #include "runtime/export/pattern_layout.hpp"
+#include "runtime/export/pattern_marks.hpp"
 #include "runtime/export/svg.hpp"
 
 namespace toile {
@@ -31,20 +32,16 @@ path { fill: none; stroke: #22252b; stroke-linejoin: round; stroke-linecap: roun
 .cloth { fill: #fbf8f1; stroke-width: .7 }
 .opening { fill: #ffffff; stroke-width: .7 }
 .stitch { stroke: #5b6270; stroke-width: .4; stroke-dasharray: 4 2 }
-.dart { stroke-width: .45 }
-.centre { stroke: #5b6270; stroke-width: .3; stroke-dasharray: 2.5 1.5 }
-.fold { stroke: #5b6270; stroke-width: .45; stroke-dasharray: 9 2.5 1.2 2.5 }
-.notch { stroke-width: .7 }
 .grain { stroke-width: .55 }
 .head { fill: #22252b; stroke: none }
 .bar { stroke-width: .5; stroke-linecap: butt }
 .ink { fill: #22252b; stroke: none }
-text { font-family: Helvetica, Arial, "Liberation Sans", sans-serif; fill: #22252b; text-anchor: middle }
+text { font-family: Helvetica, Arial, "Liberation Sans", sans-serif; fill: #22252b; text-anchor: middle;
+       paint-order: stroke; stroke: #fbf8f1; stroke-width: 1 }
 .left { text-anchor: start }
 .bold { font-weight: bold }
 .soft { fill: #5b6270 }
-.badge { fill: #ffffff; font-weight: bold }
-</style>
+.badge { fill: #ffffff; stroke: none; font-weight: bold }
 )";
 
 // Inks that stay apart in print and for the colour-blind (after Okabe and Ito), dark enough for white letters.
@@ -90,7 +87,7 @@ std::string legend_text(const Seam& seam) {
 Roles roles_of(const Garment& garment) {
   Roles roles;
   for (const Seam& seam : garment.seams) {
-    if (seam.is_dart) continue;
+    if (seam.is_dart || seam.is_pleat) continue;
     const Letter sign = letter(static_cast<int>(roles.legend.size()));
     roles.legend.emplace_back(sign, legend_text(seam));
     for (const Chain* chain : {&seam.first, &seam.second}) {
@@ -131,7 +128,7 @@ class Sheet {
  public:
   Sheet(const Piece& piece, int index, const Roles& roles) : piece_(piece), index_(index), roles_(roles) {}
 
-  std::string drawn() const { return cloth() + marks() + writing() + edges(); }
+  std::string drawn() const { return cloth() + marks_svg(piece_) + writing() + edges(); }
 
  private:
   static std::vector<const Curve*> curves(const std::vector<PieceEdge>& edges, bool legs) {
@@ -154,25 +151,9 @@ class Sheet {
 
   std::string cloth() const {
     std::string drawing = loop(piece_.edges, "cloth");
-    for (const auto& hole : piece_.holes) drawing += loop(hole, "opening");
-    return drawing;
-  }
-
-  std::string marks() const {
-    std::string drawing;
-    if (piece_.fold) drawing += svg::line("fold", piece_.fold->from, piece_.fold->to);
-    for (const Dart& dart : piece_.darts) {
-      const Curve& left = piece_.edges[static_cast<std::size_t>(dart.left_leg)].curve;
-      const Curve& right = piece_.edges[static_cast<std::size_t>(dart.right_leg)].curve;
-      drawing += svg::path("dart", svg::path_data({&left, &right}, false));
-      drawing += svg::line("centre", 0.5 * (left.start() + right.end()), dart.tip);
-      drawing += fmt::format("<circle class=\"ink\" cx=\"{}\" cy=\"{}\" r=\"0.9\"/>\n", svg::mm(dart.tip.x),
-                             svg::mm(-dart.tip.y));
-    }
-    for (const Notch& notch : piece_.notches) {
-      const PieceEdge& edge = piece_.edges[static_cast<std::size_t>(notch.edge)];
-      const Vec2 at = edge.curve.at(notch.at), outwards = -perpendicular(edge.curve.tangent(notch.at));
-      drawing += svg::line("notch", at - 0.003 * outwards, at + std::max(0.003, edge.allowance) * outwards);
+    for (const auto& hole : piece_.holes) {
+      const bool is_dart = std::all_of(hole.begin(), hole.end(), [](const PieceEdge& e) { return e.is_dart_leg; });
+      if (!is_dart) drawing += loop(hole, "opening");
     }
     return drawing;
   }
@@ -183,6 +164,9 @@ class Sheet {
     const std::string quantity = fmt::format("cut {}{}", piece_.quantity, piece_.fold ? ", unfolded" : "");
     std::string drawing = svg::text("bold", name.at + Vec2{0, 0.6 * size}, size, piece_.name) +
                           svg::text("soft", name.at - Vec2{0, 0.6 * size}, 0.6 * size, quantity);
+    if (!piece_.label.empty()) {
+      drawing += svg::text("soft", name.at - Vec2{0, 1.5 * size}, 0.6 * size, piece_.label);
+    }
     const Spot grain = free_spot(piece_, {name});
     const double length = std::clamp(1.5 * grain.clearance, 0.02, 0.18);
     drawing += arrow(grain.at, piece_.warp, length);
@@ -205,7 +189,7 @@ class Sheet {
     std::map<std::pair<std::string, Side>, std::pair<int, double>> labelled;  // longest part, whole length
     for (int i = 0; i < piece_.edge_count(); ++i) {
       const PieceEdge& edge = piece_.edge(i);
-      if (edge.is_dart_leg) continue;
+      if (edge.is_dart_leg || edge.folded_under) continue;
       auto [entry, fresh] = labelled.insert({{edge.name, edge.side}, {i, edge.curve.length()}});
       if (fresh) continue;
       auto& [longest, length] = entry->second;
@@ -317,7 +301,7 @@ std::string pattern_svg(const Garment& garment) {
       "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"{0}mm\" height=\"{1}mm\" viewBox=\"{2} {3} {0} {1}\">\n"
       "<title>{4}: flat pattern</title>\n",
       svg::mm(width), svg::mm(height), svg::mm(-kMargin), svg::mm(-around.above - kMargin), svg::escaped(garment.name));
-  document += kStyle;
+  document += kStyle + marks_style() + "</style>\n";
   document += around.drawing;
   for (std::size_t i = 0; i < garment.pieces.size(); ++i) {
     document += fmt::format("<g id=\"piece-{}\" transform=\"translate({})\">\n", i + 1, svg::place(shifts[i]));

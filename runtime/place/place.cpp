@@ -168,6 +168,7 @@ Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& 
   if (!placed.error.empty()) return placed;
 
   const RestMesh rest(cloth);
+  const PleatFolds folds(mesh);
   LoosePieces loose(cloth, body);
   for (const std::vector<int>& members : components_of(mesh.s)) {
     if (members.empty()) continue;
@@ -183,7 +184,7 @@ Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& 
       continue;
     }
     if (!hung.empty()) {
-      place_worn(rest, members, std::move(hung), *body, placed.positions);
+      place_worn(rest, folds, members, std::move(hung), *body, placed.positions);
       continue;
     }
     if (is_plain(mesh, members))

@@ -72,10 +72,23 @@ std::vector<int> assign(const RestMesh& rest, const std::vector<int>& members, c
   return line_of;
 }
 
+// Layers of a pleat lie over each other, away from the axis of what they are worn on.
+void lift_layers(const PleatFolds& folds, const std::vector<int>& members, const BodyLine& line,
+                 std::vector<Vec3>& positions) {
+  constexpr double layer = 0.0015;  // [m]
+  const Vec3 centre = middle(line.points);
+  for (const int v : members) {
+    if (folds.layers_below(v) == 0) continue;
+    const Vec3 d = positions[v] - centre;
+    const Vec3 out = d - dot(d, line.axis) * line.axis;
+    if (norm(out) > 1e-3) positions[v] += folds.layers_below(v) * layer / norm(out) * out;
+  }
+}
+
 }  // namespace
 
-void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vector<HungLine> hung, const Body& body,
-                std::vector<Vec3>& positions) {
+void place_worn(const RestMesh& rest, const PleatFolds& folds, const std::vector<int>& members,
+                std::vector<HungLine> hung, const Body& body, std::vector<Vec3>& positions) {
   const std::size_t n = positions.size();
   run_between_other_lines(hung);
   const double clearance = std::clamp(0.1 * rest.mean_edge(), 0.001, 0.004);
@@ -103,12 +116,14 @@ void place_worn(const RestMesh& rest, const std::vector<int>& members, std::vect
     std::vector<bool> own(n, false);
     for (const int v : members) own[v] = line_of[v] == static_cast<int>(l) && std::isfinite(depth[l][v]);
     const std::optional<std::vector<double>> round_a_tube = tube_winding(rest, chain, own);
-    const std::vector<double> fraction = round_a_tube ? *round_a_tube : winding(rest, chain, depth[l], in_component);
+    std::vector<double> fraction = round_a_tube ? *round_a_tube : winding(rest, chain, depth[l], in_component);
+    folds.fold(rest, chain, own, fraction);
     const Fullness fullness = measure_fullness(rest, fraction, depth[l], own, chain.curve.length());
     const Envelope envelope(*hung[l].line, chain.curve, fullness, body, clearance);
     for (const int v : members) {
       if (own[v] && free[v]) positions[v] = envelope.at(depth[l][v], fraction[v]);
     }
+    if (!folds.empty()) lift_layers(folds, members, *hung[l].line, positions);
   }
   relax(rest, free, relaxing_passes, &body, clearance, positions);
   push_out(rest, free, body, clearance, positions);

@@ -106,7 +106,49 @@ class RandomScript : private RandomExpression {
       position();
     });
   }
+  void words_and_properties() {
+    put("{ ");
+    constexpr const char* lone[] = {"trued", "pressed left", "box", "inverted", "pressed open", "knife"};
+    put(lone[below(6)]);
+    comma();
+    put("depth ");
+    expression();
+    put(" }");
+  }
+  void fullness() {
+    switch (below(5)) {
+      case 0:
+        word("pivot");
+        if (below(2) == 0) put("50% of ");
+        put("bust to 40% of side");
+        return put(below(2) == 0 ? " as side_dart" : "");
+      case 1:
+        word("spread");
+        expression();
+        put(" ");
+        position();
+        if (below(2) == 0) return put(" to 40% of waist");
+        comma();
+        return put("1cm at 40% of eye.rim");
+      case 2:
+        word("pleat");
+        if (below(2) == 0) word("tuck");
+        position();
+        if (below(2) == 0) put(" to 40% of hem");
+        put(" ");
+        return words_and_properties();
+      case 3:
+        put("dart waist from (1cm, 2cm) to ");
+        expression();
+        put(" ");
+        return words_and_properties();
+      default:
+        word(below(2) == 0 ? "mark" : "drill at");
+        return expression();
+    }
+  }
   void detail() {
+    if (below(4) == 0) return fullness();
     switch (below(9)) {
       case 0:
         word("outline");
@@ -128,9 +170,11 @@ class RandomScript : private RandomExpression {
       case 4:
         word("allowance");
         expression();
+        if (below(2) == 0) put(" square");
         comma();
         put("hem ");
-        return expression();
+        expression();
+        return put(below(2) == 0 ? " mirrored" : "");
       case 5:
         return put("...");
       case 6:
@@ -146,6 +190,7 @@ class RandomScript : private RandomExpression {
       name();
       put(".");
       name();
+      if (below(4) == 0) put(" in 0cm..18cm");
       if (n == 1) return;
       put(" +");
       more();
@@ -159,6 +204,10 @@ class RandomScript : private RandomExpression {
         put(" ");
         word("to");
         chain_of_edges();
+        if (below(4) == 0) put(" to flap.edge");
+        if (below(4) == 0) put(" notch at 1cm, 50%");
+        if (below(4) == 0) put(" gather 2cm in 1cm..9cm");
+        if (below(4) == 0) put(" zipped open step 3");
         return put(below(2) == 0 ? " reversed" : " ease 3mm");
       case 1:
         word("wear");

@@ -137,6 +137,38 @@ TEST(CutLine, InnerCornerIsTrimmed) {
   EXPECT_EQ(std::find_if(cut.begin(), cut.end(), [](Vec2 p) { return distance(p, {0.2, 0.12}) < 1e-3; }), cut.end());
 }
 
+bool has_corner(const std::vector<Vec2>& line, Vec2 corner) {
+  return std::any_of(line.begin(), line.end(), [&](Vec2 p) { return distance(p, corner) < 1e-6; });
+}
+
+TEST(CutLine, TurnsItsCornersAsTheyAskForIt) {
+  // The side leans outwards by one in two towards the hem.
+  DraftPiece piece = polygon("p", {{0, 0}, {0.4, 0}, {0.3, 0.2}, {0, 0.2}}, {"hem", "side", "top", "left"});
+  piece.allowances = {{"", 0.01, next_place()}, {"hem", 0.04, next_place(), AllowanceCorner::Mirrored}};
+  const double reach = 0.01 * std::sqrt(1.25);  // of the side's allowance along the hem
+  const std::vector<Vec2> mirrored = cut_line(make(garment({piece})).garment.pieces[0].edges);
+  EXPECT_TRUE(has_corner(mirrored, {0.4 + reach, 0}));
+  EXPECT_TRUE(has_corner(mirrored, {0.4 + reach - 0.02, -0.04}));  // leans back as the side does
+  piece.allowances[1].corner = AllowanceCorner::Square;
+  EXPECT_TRUE(has_corner(cut_line(make(garment({piece})).garment.pieces[0].edges), {0.4 + reach, -0.04}));
+  piece.allowances[1].corner = AllowanceCorner::Mitred;
+  EXPECT_TRUE(has_corner(cut_line(make(garment({piece})).garment.pieces[0].edges), {0.4 + reach + 0.02, -0.04}));
+}
+
+TEST(CutLine, StandsOverADartAsItsFoldedClothNeedsIt) {
+  DraftPiece piece = rectangle("p", 0.4, 0.3);
+  piece.darts = {dart("d", "top", 0.2, 0.04, 0.15)};
+  piece.allowances = {{"", 0.01, next_place()}};
+  const auto highest = [](const DraftPiece& draft) {
+    double high = 0;
+    for (const Vec2 p : cut_line(make(garment({draft})).garment.pieces[0].edges)) high = std::max(high, p.y);
+    return high;
+  };
+  EXPECT_GT(highest(piece), 0.3125);
+  piece.darts[0].pressed = Press::Open;
+  EXPECT_NEAR(highest(piece), 0.31, 1e-9);
+}
+
 TEST(Shelves, PiecesStandApart) {
   std::vector<Box> boxes;
   for (int i = 0; i < 7; ++i) boxes.push_back({{-0.1 * i, 0.3}, {0.2 + 0.05 * i, 0.5 + 0.1 * i}});
