@@ -164,6 +164,7 @@ struct Garment : ViewOf<Kind::Garment> {
 /// items() are Let Outline Hole Fold Cut Grain Dart Notch Repeat Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
+  std::optional<Expr> on() const { return after<Expr>(*this, Kind::KwOn); }  // drawn on a body, to be developed
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
 };
 
@@ -294,6 +295,12 @@ struct Drape : ViewOf<Kind::Drape> {
   std::optional<Expr> body() const { return after<Expr>(*this, Kind::KwOn); }
   std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
   std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }
+};
+
+/// develop bodice as flat
+struct Develop : ViewOf<Kind::Develop> {
+  std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDevelop); }
+  std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
 };
 
 /// word() is KwFrom with names() of one view, KwShowing with the dotted names() of a field, or KwPixels with sizes().

@@ -172,8 +172,9 @@ struct and_so_on : sign<Kind::Ellipsis> {};
 struct piece_item
     : pegtl::sor<and_so_on, outline, let, solve, fold, dart, notch, grain, allowance, cut, label, hole, repeat> {};
 struct piece_block : block<piece_words, piece_item> {};
-struct piece : statement<Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
-                         pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block, at_end<>> {};
+struct piece
+    : statement<Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name, pegtl::opt<with_value<Kind::KwOn>>,
+                pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block, at_end<>> {};
 
 // --------------------------------------------------------------------------------------------------- garments
 
@@ -202,6 +203,7 @@ struct garment
 
 struct drape : line<Kind::Drape, word<Kind::KwDrape>, expression, pegtl::opt<with_value<Kind::KwOn>>,
                     pegtl::opt<word<Kind::KwAs>, any_name>, pegtl::opt<with_value<Kind::KwTo>>> {};
+struct develop : line<Kind::Develop, word<Kind::KwDevelop>, expression, pegtl::opt<word<Kind::KwAs>, any_name>> {};
 struct render_option
     : node<Kind::RenderOption,
            pegtl::sor<pegtl::seq<word<Kind::KwFrom>, any_name>,
@@ -213,8 +215,8 @@ struct export_ : line<Kind::Export, word<Kind::KwExport>, expression, word<Kind:
 struct print : line<Kind::Print, word<Kind::KwPrint>, expression, pegtl::star<comma, expression>> {};
 struct expect : line<Kind::Expect, word<Kind::KwExpect>, expression> {};
 
-struct file_item : pegtl::sor<let, param, solve, fn, import, garment, fabric, textile, sizes, body, drape, render,
-                              export_, print, expect> {};
+struct file_item : pegtl::sor<let, param, solve, fn, import, garment, fabric, textile, sizes, body, drape, develop,
+                              render, export_, print, expect> {};
 
 /// Statements to the end of the text. Always succeeds.
 struct file {

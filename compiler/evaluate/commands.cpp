@@ -16,11 +16,13 @@ void Commands::define_results() {
   for (const syntax::View& command : module().commands) {
     planned_.push_back({command, nullptr, std::nullopt});
     const auto drape = syntax::as<syntax::Drape>(command);
-    if (!drape) continue;
-    const auto name = drape->name();
+    const auto develop = syntax::as<syntax::Develop>(command);
+    if (!drape && !develop) continue;
+    const auto name = drape ? drape->name() : develop->name();
     DrapeRecord& record = session_.drapes.emplace_back();
     record.name = session_.name_of(module(), name);
-    record.written = name ? module().at(*name) : module().at(*drape);
+    record.written = name ? module().at(*name) : module().at(command);
+    record.develops = develop.has_value();
     planned_.back().drape = &record;
     if (name) define(session_, names, name, [&record]() -> Value { return ResultValue{&record, ""}; });
   }
@@ -30,6 +32,7 @@ void Commands::check() {
   const Holding<bool> in_commands(session_.in_commands, true);
   for (Planned& planned : planned_) {
     if (const auto drape = syntax::as<syntax::Drape>(planned.written)) check_drape(planned, *drape);
+    if (const auto develop = syntax::as<syntax::Develop>(planned.written)) check_develop(planned, *develop);
     if (const auto render = syntax::as<syntax::Render>(planned.written)) check_render(planned, *render);
     if (const auto output = syntax::as<syntax::Export>(planned.written)) check_export(planned, *output);
     if (const auto print = syntax::as<syntax::Print>(planned.written)) check_print(*print);
@@ -69,6 +72,15 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
             .at(module().at(*garment_expr), "draped here")
             .also(garment->draft.written, "no fabric here")
             .help(fmt::format("garment {} in fabrics.wool_serge {{ ... }}", garment->draft.name)));
+    return;
+  }
+  if (garment->drawn_on != nullptr) {
+    session_.report.add(
+        Problem("E0511", fmt::format("garment `{}` is drawn on `{}`: it has no flat pattern yet that could be draped",
+                                     garment->draft.name, garment->drawn_on->spec.name))
+            .at(module().at(*garment_expr), "draped here")
+            .also(garment->draft.written, "drawn on the body")
+            .help(fmt::format("develop {} as flat", garment->draft.name)));
     return;
   }
   if (sound) check_bodies(drape, *garment, body.get());

@@ -34,6 +34,7 @@ class Commands {
 
   void check_drape(Planned& planned, const syntax::Drape& drape);
   void check_bodies(const syntax::Drape& drape, const GarmentInstance& garment, const BodyInstance* body);
+  void check_develop(Planned& planned, const syntax::Develop& develop);
   void check_render(Planned& planned, const syntax::Render& render);
   void check_export(Planned& planned, const syntax::Export& output);
   void check_print(const syntax::Print& print);

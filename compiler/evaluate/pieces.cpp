@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/evaluate/charts.hpp"
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
@@ -17,6 +18,11 @@
 
 namespace toile {
 namespace {
+
+/// So wide is a slit in the chart, where it must have two sides to be meshed; on the body it is closed.
+double slit_width(double depth) {
+  return std::min(0.002, depth / 20);
+}
 
 /// Edges that the pen walks one after another: an outline or a hole.
 struct Walk {
@@ -92,6 +98,7 @@ class PieceDrafter {
     draft_.name = piece_.name;
     const auto name = piece_.written.name();
     draft_.written = name ? module_.at(*name) : module_.at(piece_.written);
+    if (piece_.plan.on) read_chart(*piece_.plan.on);
     // All names are checked, also those that no edge uses.
     for (const auto& definition : piece_.scope->definitions()) force(session_, *definition);
     read_outline();
@@ -108,6 +115,11 @@ class PieceDrafter {
 
  private:
   void fail() { piece_.sound = false; }
+
+  void read_chart(const syntax::Expr& on) {
+    draft_.chart = chart_of(session_, evaluate(session_, *piece_.scope, on), module_.at(on), *piece_.garment);
+    if (!draft_.chart) fail();
+  }
 
   void read_outline() {
     if (!piece_.plan.outline) {
@@ -259,10 +271,16 @@ class PieceDrafter {
     }
     const auto where = place(dart.position(), scope);
     std::map<std::string, std::optional<double>> sizes;
+    bool tip_given = false;
     for (const syntax::Property& property : dart.properties()) {
       const auto token = property.name();
       if (!token) continue;
       const std::string name = session_.name_of(module_, token);
+      if (name == "tip" && draft_.chart) {
+        tip_given = true;
+        made.tip = Wanted{session_, scope}.point(property.value(), "the tip of a dart");
+        continue;
+      }
       if (name != "width" && name != "depth") {
         report_unknown(session_, module_, *token, "a dart has no `" + name + "`", {"width", "depth"}, "E0103");
         fail();
@@ -275,6 +293,7 @@ class PieceDrafter {
       }
       sizes[name] = Wanted{session_, scope}.positive(property.value(), dimension::length, "the " + name + " of a dart");
     }
+    if (draft_.chart) return read_slit(std::move(made), where, sizes, tip_given);
     for (const char* name : {"width", "depth"}) {
       if (sizes.contains(name) || module_.broken(dart.span())) continue;
       session_.report.add(Problem("E0310", fmt::format("the dart does not tell its {}", name))
@@ -286,6 +305,27 @@ class PieceDrafter {
     made.at = where->at;
     made.width = *sizes["width"];
     made.depth = *sizes["depth"];
+    draft_.darts.push_back(std::move(made));
+  }
+
+  /// A dart of a piece that is drawn on a body is a slit there: how wide it opens comes out of the development.
+  void read_slit(DraftDart made, const std::optional<Place>& where, std::map<std::string, std::optional<double>>& sizes,
+                 bool tip_given) {
+    const bool sized = sizes["width"].has_value();
+    if (sized || tip_given == sizes["depth"].has_value()) {
+      session_.report.add(Problem("E0310", sized ? "the width of a dart drawn on a body comes out of the development"
+                                                 : "a dart drawn on a body has either its depth or its tip")
+                              .at(made.written)
+                              .help("dart at 50% of waist { depth 9cm }, or { tip (8cm, 115cm) }"));
+      return fail();
+    }
+    if (!where || (tip_given && !made.tip)) return fail();
+    made.edge = where->edge;
+    made.at = where->at;
+    const auto line = std::find_if(draft_.outline.begin(), draft_.outline.end(),
+                                   [&](const DraftEdge& each) { return each.name == where->edge; });
+    made.depth = tip_given ? distance(line->curve.at(made.at), *made.tip) : *sizes["depth"];
+    made.width = slit_width(made.depth);
     draft_.darts.push_back(std::move(made));
   }
 

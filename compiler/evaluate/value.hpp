@@ -25,6 +25,7 @@ struct UserFunction;
 struct BodyTemplate;
 struct GarmentTemplate;
 struct BodyInstance;
+struct ChartSpec;
 struct GarmentInstance;
 struct PieceInstance;
 struct HoleInstance;
@@ -73,6 +74,11 @@ struct BodyLineValue {
   std::shared_ptr<BodyInstance> body;
   std::string line;
 };
+/// A map of a body's surface to the plane, in which pieces are drawn.
+struct ChartValue {
+  std::shared_ptr<BodyInstance> body;
+  std::shared_ptr<const ChartSpec> spec;
+};
 struct FabricValue {
   std::shared_ptr<const FabricSheet> sheet;
 };
@@ -98,8 +104,8 @@ using HoleRef = const HoleInstance*;
 class Value {
  public:
   using Data = std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue,
-                            BodyValue, BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef,
-                            ModuleRef, BodyTemplateRef, GarmentTemplateRef, GarmentRef, PieceRef, HoleRef>;
+                            BodyValue, BodyLineValue, ChartValue, FabricValue, TextileValue, ResultValue, FunctionRef,
+                            BuiltinRef, ModuleRef, BodyTemplateRef, GarmentTemplateRef, GarmentRef, PieceRef, HoleRef>;
 
   Value() = default;
   template <typename T>

@@ -71,7 +71,7 @@ std::optional<Wedge> place_dart(const DraftPiece& draft, const DrawnPiece& drawn
                    {{dart.written, ""}, {host.written, ""}});
     return std::nullopt;
   }
-  wedge.tip = 0.5 * (wedge.from + wedge.to) + dart.depth * perpendicular(mouth) / norm(mouth);
+  wedge.tip = dart.tip.value_or(0.5 * (wedge.from + wedge.to) + dart.depth * perpendicular(mouth) / norm(mouth));
   return wedge;
 }
 

@@ -20,9 +20,10 @@ struct DraftEdge {
 struct DraftDart {
   std::string name;  // "dart1", … when the script gives none
   std::string edge;
-  double at = 0;     // [m] along the drawn edge, of the middle of the mouth
-  double width = 0;  // [m]
-  double depth = 0;  // [m]
+  double at = 0;            // [m] along the drawn edge, of the middle of the mouth
+  double width = 0;         // [m]
+  double depth = 0;         // [m]
+  std::optional<Vec2> tip;  // where the script says it, else square to the mouth
   Location written;
 };
 
@@ -58,6 +59,7 @@ struct DraftPiece {
   std::vector<DraftNotch> notches;
   std::vector<DraftAllowance> allowances;
   std::string label;
+  std::optional<ChartSpec> chart;  // drawn on a body
   Location written;
 };
 

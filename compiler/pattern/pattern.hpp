@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "compiler/curve/curve.hpp"
+#include "compiler/pattern/chart_spec.hpp"
 #include "compiler/pattern/fabric_sheet.hpp"
 #include "compiler/pattern/textile.hpp"
 #include "grammar/source.hpp"
@@ -61,6 +62,7 @@ struct Piece {
   std::vector<Notch> notches;
   std::vector<Dart> darts;
   int quantity = 1;
+  std::optional<ChartSpec> chart;  // drawn on a body: what stands here is in the chart, and is to be developed
   Location written;
 
   /// All edges in one numbering: those of the outline, then those of the holes, hole by hole.

@@ -7,6 +7,7 @@
 #include "compiler/pattern/pattern.hpp"
 #include "compiler/smesh/smesh.hpp"
 #include "runtime/body/body.hpp"
+#include "runtime/develop/redraw.hpp"
 #include "runtime/drape/drape.hpp"
 #include "runtime/export/export.hpp"
 #include "runtime/mesh/cloth.hpp"
@@ -34,6 +35,15 @@ struct Draped {
   Drape drape;
 
   DrapedGarment view() const { return {&made->garment, &made->mesh, &made->cloth, &drape}; }
+};
+
+/// A development: the pattern, and the cloth cut by it as it lies on the form.
+struct Developed {
+  std::shared_ptr<const MadeGarment> drawn;  // in the charts
+  Development development;
+  Redrawn redrawn;
+  Garment pattern;  // as redrawn
+  Draped on_form;   // the developed mesh in the places where it was drawn: residual strains
 };
 
 }  // namespace toile

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "runtime/export/pattern_text.hpp"
 #include "runtime/report/report.hpp"
 
 namespace toile {
@@ -60,6 +61,15 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
                                       const std::string& script) {
   const DrapeWriter writer = writer_for(drape_writers, path);
   return writer == nullptr ? std::nullopt : std::optional(writer(draped, script));
+}
+
+std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
+                                            const std::string& script) {
+  if (ends_with(path, ".toile")) {
+    return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string());
+  }
+  if (auto pattern = pattern_file(path, developed.pattern)) return pattern;
+  return drape_file(path, developed.on_form, script);
 }
 
 std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment) {

@@ -14,6 +14,10 @@ namespace toile {
 /// A drape as .obj, .ply, .glb, .report.json (the report) or .json (both meshes); nullopt for another ending.
 std::optional<std::string> drape_file(const std::filesystem::path& path, const Draped& draped,
                                       const std::string& script);
+/// A development as .toile (its pattern as text), .svg or .json (the pattern), .obj, .ply or .glb (the cloth on its
+/// form); nullopt for another ending.
+std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
+                                            const std::string& script);
 /// A flat pattern as .svg or .json; nullopt for another ending.
 std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment);
 std::string drape_endings();

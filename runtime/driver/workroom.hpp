@@ -54,6 +54,9 @@ class Workroom {
   /// Places and solves; nullopt when that is not possible or was interrupted, which has then been said.
   std::optional<Draped> drape(const DrapeCommand& command);
 
+  /// The flat pattern of a garment that is drawn on a body; nullopt as for drape().
+  std::optional<Developed> develop(const DevelopCommand& command);
+
   /// Writes a whole file unless interrupted.
   void write(const std::filesystem::path& wanted, const std::string& bytes);
   /// Writes below the output folder for a command of the script.
@@ -71,6 +74,8 @@ class Workroom {
 
  private:
   void pass_on_diagnostics();
+  std::shared_ptr<const Body> body(int number, Location wanted);
+  void note_development(const DevelopCommand& command, const Developed& developed);
   std::optional<FabricSheet> replacement_fabric();
   /// The meshes that draping begins on, the coarsest first.
   const std::vector<CoarseGarment>& coarse(int garment, const MadeGarment& made);

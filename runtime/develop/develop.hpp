@@ -1,0 +1,30 @@
+// Development: from pieces drawn on a body to the flat pattern that takes their form with the least energy.
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "compiler/pattern/pattern.hpp"
+#include "compiler/smesh/smesh.hpp"
+#include "runtime/body/body.hpp"
+#include "runtime/develop/flatten.hpp"
+#include "runtime/develop/target.hpp"
+#include "runtime/solve/job.hpp"
+
+namespace toile {
+
+struct Development {
+  Target target;
+  Flattened flat;            // none where the target has troubles
+  std::vector<Vec2> points;  // of the P-mesh, each piece in its drawing: upright as it was drawn in the chart
+  std::vector<Vec2> warp_of_piece;
+};
+
+/// `mesh` is that of the garment as drawn in its charts.
+Development develop(const Garment& garment, const SewnMesh& mesh, const Body& body, const FlattenOptions& options,
+                    const Job& job);
+
+/// The same mesh with the developed places: what is draped to see whether it takes the form.
+SewnMesh developed_mesh(const SewnMesh& mesh, const Development& development);
+
+}  // namespace toile
