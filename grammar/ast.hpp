@@ -297,10 +297,11 @@ struct Drape : ViewOf<Kind::Drape> {
   std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }
 };
 
-/// develop bodice as flat
+/// develop bodice as flat until within 3mm
 struct Develop : ViewOf<Kind::Develop> {
   std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDevelop); }
   std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
+  std::optional<Expr> within() const { return after<Expr>(*this, Kind::KwWithin); }
 };
 
 /// word() is KwFrom with names() of one view, KwShowing with the dotted names() of a field, or KwPixels with sizes().

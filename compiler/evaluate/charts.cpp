@@ -20,6 +20,7 @@ std::optional<ChartSpec> chart_of(Session& session, const Value& value, Location
   if (body == nullptr) return std::nullopt;
   spec.written = at;
   if (garment.drawn_on == nullptr) garment.drawn_on = body;
+  garment.draft.drawn_on = garment.drawn_on->spec.name;
   if (garment.drawn_on == body) return spec;
   session.report.add(Problem("E0510", "the pieces of a garment are drawn on one body, and this is another")
                          .at(at, "on `" + body->spec.name + "`")

@@ -23,9 +23,17 @@ void Commands::define_results() {
     record.name = session_.name_of(module(), name);
     record.written = name ? module().at(*name) : module().at(command);
     record.develops = develop.has_value();
+    if (drape && drape->garment()) record.developed = development_called(session_.text(module(), *drape->garment()));
     planned_.back().drape = &record;
     if (name) define(session_, names, name, [&record]() -> Value { return ResultValue{&record, ""}; });
   }
+}
+
+const DrapeRecord* Commands::development_called(std::string_view name) const {
+  for (const DrapeRecord& record : session_.drapes) {
+    if (record.develops && record.name == name) return &record;
+  }
+  return nullptr;
 }
 
 void Commands::check() {
@@ -47,9 +55,11 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
   made.name = planned.drape->name;
   bool sound = true;
   const auto garment_expr = drape.garment();
+  const bool of_development = planned.drape->developed != nullptr;
   const GarmentInstance* garment =
-      garment_expr ? as_garment(session_, evaluate(session_, scope(), garment_expr), module().at(*garment_expr))
-                   : nullptr;
+      garment_expr && !of_development
+          ? as_garment(session_, evaluate(session_, scope(), garment_expr), module().at(*garment_expr))
+          : nullptr;
   std::shared_ptr<BodyInstance> body;
   if (const auto body_expr = drape.body()) {
     body = as_body(session_, evaluate(session_, scope(), body_expr), module().at(*body_expr));
@@ -65,6 +75,7 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
                               .help("drape skirt on form as worn to 1e-6"));
     }
   }
+  if (of_development && sound) return check_drape_of_development(planned, drape, std::move(made));
   if (garment == nullptr) return;
   if (!garment->has_fabric) {
     session_.report.add(

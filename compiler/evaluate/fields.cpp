@@ -50,7 +50,8 @@ Value fact_of_line(const Access& access, const BodyLineValue& object, Location o
 }
 
 const std::vector<std::pair<std::string, std::string>>& schema_of(const DrapeRecord& record) {
-  return record.develops ? development_schema() : result_schema();
+  if (record.develops) return development_schema();
+  return record.developed != nullptr ? form_drape_schema() : result_schema();
 }
 
 /// The next parts of the schema's names after `prefix`.

@@ -125,9 +125,10 @@ struct DrapeRecord {
   std::string name;
   Location written;
   bool develops = false;
-  bool reached = false;  // by the commands, in their order
+  const DrapeRecord* developed = nullptr;  // whose pattern is draped, if it is a development's
+  bool reached = false;                    // by the commands, in their order
   std::optional<Result> result;
-  const GarmentInstance* garment = nullptr;
+  const GarmentInstance* garment = nullptr;  // of a development
 };
 
 }  // namespace toile

@@ -40,9 +40,10 @@ class World {
 using Result = std::map<std::string, double>;
 
 struct DrapeCommand {
-  int garment = 0;   // index into Program::garments
-  int body = -1;     // index into Program::bodies, or -1: floats, no gravity
-  std::string name;  // "worn"; empty when unnamed
+  int garment = 0;        // index into Program::garments
+  std::string developed;  // the name of the development whose pattern is draped, back on its form; else empty
+  int body = -1;          // index into Program::bodies, or -1: floats, no gravity
+  std::string name;       // "worn"; empty when unnamed
   std::optional<double> accuracy;
   Location written;
 };
@@ -50,6 +51,7 @@ struct DevelopCommand {
   int garment = 0;
   int body = 0;
   std::string name;
+  std::optional<double> within;  // [m] of the form when it is draped back, which the pattern is to be corrected for
   Location written;
 };
 struct RenderCommand {
@@ -120,6 +122,12 @@ std::string emit_pattern(const Program& program);
 ///   hem.length      length of that loop as draped; hem.low, hem.high: its lowest and highest z
 ///   bounds.width    extent of the drape in x; bounds.depth in y; bounds.low, bounds.high: least and greatest z
 const std::vector<std::pair<std::string, std::string>>& result_schema();
+
+/// The same for a drape of a development, which has
+///   form.distance, form.slip   how far the cloth is from the form it was developed for, and how far its points lie
+///   from
+///                              where they were drawn, each with mean p95 max [m]
+const std::vector<std::pair<std::string, std::string>>& form_drape_schema();
 
 /// The same for a development: what it has in common with a drape, and
 ///   area, target_area   of the flat pattern, of the form [m2]

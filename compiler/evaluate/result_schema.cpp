@@ -41,10 +41,16 @@ Schema make_schema() {
   return schema;
 }
 
+Schema make_form_drape_schema() {
+  Schema schema = make_schema();
+  for (const char* what : {"form.distance.", "form.slip."}) add(schema, what, {"mean", "p95", "max"}, "m");
+  return schema;
+}
+
 Schema make_development_schema() {
   Schema schema;
   add(schema, "mesh.", {"triangles", "vertices", "edges", "boundary_loops", "components", "euler", "orientable"}, "1");
-  add(schema, "solve.", {"converged", "iterations", "flipped", "residual_relative"}, "1");
+  add(schema, "solve.", {"converged", "iterations", "flipped", "residual_relative", "drapes"}, "1");
   add(schema, "solve.", {"residual"}, "N");
   add(schema, "energy.", {"stretch_warp", "stretch_weft", "shear", "total"}, "J");
   for (const char* direction : {"warp.", "weft."}) {
@@ -60,6 +66,11 @@ Schema make_development_schema() {
 
 const std::vector<std::pair<std::string, std::string>>& result_schema() {
   static const Schema schema = make_schema();
+  return schema;
+}
+
+const std::vector<std::pair<std::string, std::string>>& form_drape_schema() {
+  static const Schema schema = make_form_drape_schema();
   return schema;
 }
 

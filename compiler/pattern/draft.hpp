@@ -94,6 +94,7 @@ struct DraftGarment {
   std::vector<DraftWear> wears;
   FabricSheet fabric;
   Textile textile;
+  std::string drawn_on;  // the name of a body, where pieces are drawn on one
   Location written;
 };
 

@@ -9,7 +9,7 @@ namespace toile {
 
 Garment make_garment(const DraftGarment& draft, std::vector<Diagnostic>& diagnostics) {
   Findings findings(diagnostics);
-  Garment garment{draft.name, {}, {}, {}, draft.fabric, draft.textile, draft.written};
+  Garment garment{draft.name, {}, {}, {}, draft.fabric, draft.textile, draft.drawn_on, draft.written};
   for (const DraftPiece& piece : draft.pieces) {
     for (Piece& cut : cut_piece(piece, findings)) garment.pieces.push_back(std::move(cut));
   }

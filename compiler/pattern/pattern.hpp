@@ -117,6 +117,7 @@ struct Garment {
   std::vector<Wear> wears;
   FabricSheet fabric;
   Textile textile;
+  std::string drawn_on;  // the body that its pieces are drawn on; empty for a pattern that is drawn flat
   Location written;
 };
 

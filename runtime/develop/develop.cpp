@@ -30,7 +30,7 @@ class Developing {
   Development run(const FlattenOptions& options, const Job& job) {
     find_scales();
     fill_input();
-    for (int piece = 0; piece < piece_count(); ++piece) input_.grain.push_back(grain_line(piece));
+    for (int piece = 0; piece < piece_count(); ++piece) input_.grain.push_back(grain_of(piece));
     match_seams();
     const FabricLaw law = make_law(garment_.fabric);
     development_.flat = flatten(input_, law, options, job);
@@ -76,34 +76,21 @@ class Developing {
     }
   }
 
-  /// Along the fold where the piece has one, else the two points of the outline that lie most nearly along the warp and
-  /// far apart.
-  FlatteningInput::GrainLine grain_line(int piece) const {
+  FlatteningInput::GrainLine grain_of(int number) const {
     std::vector<int> outline;
-    for (const PMesh::EdgeNodes& edge : mesh_.p.edge_nodes[index(piece)]) {
+    for (const PMesh::EdgeNodes& edge : mesh_.p.edge_nodes[index(number)]) {
       outline.insert(outline.end(), edge.points.begin(), edge.points.end() - 1);
     }
-    double low = 1e300, high = -1e300;
-    for (const int point : outline) {
-      low = std::min(low, input_.start[index(point)].x);
-      high = std::max(high, input_.start[index(point)].x);
+    const Piece& piece = garment_.pieces[index(number)];
+    if (!piece.fold || std::abs(cross(piece.fold->to - piece.fold->from, piece.warp)) > 1e-6) {
+      return grain_line(input_.start, outline);
     }
-    FlatteningInput::GrainLine best{outline.front(), outline.back()};
-    double least = 1e300;
-    for (const int a : outline) {
-      for (const int b : outline) {
-        const Vec2 way = input_.start[index(b)] - input_.start[index(a)];
-        if (way.x < 0.7 * (high - low)) continue;
-        const Vec2 middle = 0.5 * (input_.start[index(a)] + input_.start[index(b)]);
-        // Of lines equally straight the one through the middle of the piece.
-        const double crooked = std::abs(way.y) / way.x + 1e-3 * std::abs(middle.y) / (high - low);
-        if (crooked < least) {
-          least = crooked;
-          best = {a, b};
-        }
-      }
-    }
-    return best;
+    const auto nearest = [&](Vec2 place) {
+      return *std::min_element(outline.begin(), outline.end(), [&](int a, int b) {
+        return distance(mesh_.p.points[index(a)], place) < distance(mesh_.p.points[index(b)], place);
+      });
+    };
+    return {nearest(piece.fold->from), nearest(piece.fold->to)};  // the fold stays straight
   }
 
   void match_seams() {
@@ -131,11 +118,22 @@ class Developing {
 
 }  // namespace
 
-Development develop(const Garment& garment, const SewnMesh& mesh, const Body& body, const FlattenOptions& options,
+Development develop(const Garment& garment, const SewnMesh& mesh, Target target, const FlattenOptions& options,
                     const Job& job) {
-  Target target = find_target(garment, mesh, body);
-  if (!target.troubles.empty()) return {std::move(target), {}, {}, {}};
   return Developing(garment, mesh, std::move(target)).run(options, job);
+}
+
+OpenedDart opened_dart(const PMesh& mesh, int piece, const Dart& dart, const Development& development) {
+  const auto& edges = mesh.edge_nodes[index(piece)];
+  const std::vector<int>&left = edges[index(dart.left_leg)].points, &right = edges[index(dart.right_leg)].points;
+  const auto at = [&](int point) { return development.points[index(point)]; };
+  OpenedDart opened;
+  // One leg is walked to the tip and the other from it.
+  const bool left_first = left.back() == right.front();
+  opened.width =
+      left_first ? distance(at(left.front()), at(right.back())) : distance(at(left.back()), at(right.front()));
+  for (std::size_t i = 1; i < left.size(); ++i) opened.leg += distance(at(left[i - 1]), at(left[i]));
+  return opened;
 }
 
 SewnMesh developed_mesh(const SewnMesh& mesh, const Development& development) {

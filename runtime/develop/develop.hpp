@@ -20,9 +20,16 @@ struct Development {
   std::vector<Vec2> warp_of_piece;
 };
 
-/// `mesh` is that of the garment as drawn in its charts.
-Development develop(const Garment& garment, const SewnMesh& mesh, const Body& body, const FlattenOptions& options,
+/// `mesh` is that of the garment as drawn in its charts, `target` where it lies in space, without troubles.
+Development develop(const Garment& garment, const SewnMesh& mesh, Target target, const FlattenOptions& options,
                     const Job& job);
+
+/// How a dart came out.
+struct OpenedDart {
+  double width = 0;  // [m] between the ends of its legs at the mouth
+  double leg = 0;    // [m] along a leg, to the tip
+};
+OpenedDart opened_dart(const PMesh& mesh, int piece, const Dart& dart, const Development& development);
 
 /// The same mesh with the developed places: what is draped to see whether it takes the form.
 SewnMesh developed_mesh(const SewnMesh& mesh, const Development& development);

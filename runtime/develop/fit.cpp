@@ -12,7 +12,8 @@ namespace {
 
 constexpr double micrometre = 1e-6;
 constexpr double degree = std::numbers::pi / 180;
-constexpr double end_share = 0.2;  // of the line's length, from which the direction at its end is read
+constexpr double end_share =
+    0.25;  // of the first stretch between two points that the direction at its end is read from
 
 double rounded_angle(double angle) {
   return std::round(angle / (1e-3 * degree)) * 1e-3 * degree;
@@ -26,9 +27,8 @@ std::vector<double> arc_lengths(const std::vector<Vec2>& points) {
 
 /// The direction at the start of a line of points, from the parabola over its arc length that starts at the first and
 /// fits best to those that follow.
-double direction_at_start(const std::vector<Vec2>& points) {
+double direction_at_start(const std::vector<Vec2>& points, double reach) {
   const std::vector<double> arc = arc_lengths(points);
-  const double reach = end_share * arc.back();
   double s2 = 0, s3 = 0, s4 = 0;
   Vec2 d1, d2;
   for (std::size_t i = 1; i < points.size() && (i < 4 || arc[i] <= reach); ++i) {
@@ -50,22 +50,19 @@ double farthest(const Curve& curve, const std::vector<Vec2>& solved) {
   return worst;
 }
 
-/// Through `count` of the solved points between the ends, evenly spaced.
-std::vector<Vec2> chosen(const std::vector<Vec2>& solved, std::size_t count) {
-  const std::vector<double> arc = arc_lengths(solved);
-  std::vector<Vec2> points{rounded(solved.front())};
-  std::size_t before = 0;
-  for (std::size_t k = 1; k <= count; ++k) {
-    const double wanted = arc.back() * static_cast<double>(k) / static_cast<double>(count + 1);
-    const auto after = std::lower_bound(arc.begin(), arc.end(), wanted) - arc.begin();
-    std::size_t nearest = static_cast<std::size_t>(after);
-    if (nearest > 0 && wanted - arc[nearest - 1] < arc[nearest] - wanted) --nearest;
-    if (nearest <= before || nearest + 1 >= solved.size()) continue;
-    points.push_back(rounded(solved[nearest]));
-    before = nearest;
+/// The solved point that the curve misses most, of those not on it already; nothing when it misses none by much.
+std::optional<std::size_t> most_missed(const Curve& curve, const std::vector<Vec2>& solved,
+                                       const std::vector<std::size_t>& on_it) {
+  std::optional<std::size_t> missed;
+  double worst = 0;
+  for (std::size_t i = 1; i + 1 < solved.size(); ++i) {
+    if (std::find(on_it.begin(), on_it.end(), i) != on_it.end()) continue;
+    const double miss = distance(solved[i], curve.at(nearest_place(curve, solved[i])));
+    if (miss <= worst) continue;
+    worst = miss;
+    missed = i;
   }
-  points.push_back(rounded(solved.back()));
-  return points;
+  return missed;
 }
 
 }  // namespace
@@ -76,25 +73,29 @@ Vec2 rounded(Vec2 point) {
 
 FittedCurve fit_curve(const std::vector<Vec2>& solved, double tolerance) {
   FittedCurve fitted;
-  fitted.points = chosen(solved, 0);
+  fitted.points = {rounded(solved.front()), rounded(solved.back())};
   fitted.curve = line(fitted.points.front(), fitted.points.back());
   fitted.error = farthest(fitted.curve, solved);
   if (fitted.error <= tolerance || solved.size() < 3) return fitted;
   const std::vector<Vec2> backwards(solved.rbegin(), solved.rend());
-  const double leaving = direction_at_start(solved);
-  const double back = direction_at_start(backwards);
-  const double arriving = rounded_angle(back > 0 ? back - std::numbers::pi : back + std::numbers::pi);
-  for (std::size_t count = 0; count + 2 <= solved.size(); count += 1 + count / 3) {
-    fitted.points = chosen(solved, count);
-    fitted.leaving = leaving;
-    fitted.arriving = arriving;
-    fitted.curve = fitted.points.size() == 2
-                       ? tangent_curve(fitted.points.front(), leaving, fitted.points.back(), arriving)
-                       : spline(fitted.points, leaving, arriving);
+  const std::vector<double> arc = arc_lengths(solved);
+  std::vector<std::size_t> on_it{0, solved.size() - 1};
+  for (;;) {
+    // With every point more the ends' directions are read from nearer by: a line may bend sharply at a dart's tip.
+    const double back = direction_at_start(backwards, end_share * (arc.back() - arc[on_it[on_it.size() - 2]]));
+    fitted.leaving = direction_at_start(solved, end_share * arc[on_it[1]]);
+    fitted.arriving = rounded_angle(back > 0 ? back - std::numbers::pi : back + std::numbers::pi);
+    fitted.points.clear();
+    for (const std::size_t i : on_it) fitted.points.push_back(rounded(solved[i]));
+    fitted.curve = on_it.size() == 2
+                       ? tangent_curve(fitted.points.front(), *fitted.leaving, fitted.points.back(), *fitted.arriving)
+                       : spline(fitted.points, fitted.leaving, fitted.arriving);
     fitted.error = farthest(fitted.curve, solved);
-    if (fitted.error <= tolerance) break;
+    if (fitted.error <= tolerance) return fitted;
+    const auto missed = most_missed(fitted.curve, solved, on_it);
+    if (!missed) return fitted;
+    on_it.insert(std::upper_bound(on_it.begin(), on_it.end(), *missed), *missed);
   }
-  return fitted;
 }
 
 }  // namespace toile

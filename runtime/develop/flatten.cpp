@@ -18,6 +18,8 @@ constexpr double first_match = 10;      // stiffness of a match over that of a s
 constexpr int most_stiffenings = 6;     // tenfold each
 constexpr double near_rest = 1e-3;      // relative residual below which the true Hessian is tried first
 
+constexpr double least_share_of_grain = 0.7;  // of a piece's extent along the warp that its grain line spans
+
 /// The least positive root of a t^2 + b t + c for c > 0; infinity when there is none.
 double first_root(double a, double b, double c) {
   const double never = std::numeric_limits<double>::infinity();
@@ -334,6 +336,31 @@ Flattened Flattening::result() const {
 }
 
 }  // namespace
+
+FlatteningInput::GrainLine grain_line(const std::vector<Vec2>& start, const std::vector<int>& outline) {
+  double low = 1e300, high = -1e300, middle = 0;
+  for (const int point : outline) {
+    const Vec2 place = start[index(point)];
+    low = std::min(low, place.x);
+    high = std::max(high, place.x);
+    middle += place.y / static_cast<double>(outline.size());
+  }
+  FlatteningInput::GrainLine best{outline.front(), outline.back()};
+  double least = 1e300;
+  for (const int a : outline) {
+    for (const int b : outline) {
+      const Vec2 way = start[index(b)] - start[index(a)];
+      if (way.x < least_share_of_grain * (high - low)) continue;
+      const double aside = 0.5 * (start[index(a)].y + start[index(b)].y) - middle;
+      const double crooked = std::abs(way.y) / way.x + 1e-3 * std::abs(aside) / (high - low);
+      if (crooked < least) {
+        least = crooked;
+        best = {a, b};
+      }
+    }
+  }
+  return best;
+}
 
 Flattened flatten(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options, const Job& job) {
   return Flattening(input, law, options).run(job);

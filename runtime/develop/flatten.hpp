@@ -19,13 +19,17 @@ struct FlatteningInput {
   std::vector<Vec3> target;                   // of each point, in space
   std::vector<Vec2> start;                    // (warp, weft) of each point; no triangle is flipped
   std::vector<LengthMatch> matches;
-  /// Of every piece two points: the first stays, and the way from it to the second keeps its direction. That takes away
-  /// the rigid motions and holds the grain.
+  /// Of every piece two points that lie along the warp from each other: the first stays, and the second goes neither
+  /// way across the warp. That takes away the rigid motions and holds the grain.
   struct GrainLine {
     int from = 0, to = 0;
   };
   std::vector<GrainLine> grain;
 };
+
+/// The two points of an outline that lie most nearly along the warp and far apart, of those equally straight the ones
+/// in the middle of the piece.
+FlatteningInput::GrainLine grain_line(const std::vector<Vec2>& start, const std::vector<int>& outline);
 
 struct Flattened {
   std::vector<Vec2> uv;

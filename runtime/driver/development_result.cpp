@@ -17,6 +17,7 @@ Result result_of(const Developed& developed) {
   result["solve.converged"] = flat.converged ? 1 : 0;
   result["solve.iterations"] = flat.iterations;
   result["solve.flipped"] = flat.flipped;
+  result["solve.drapes"] = developed.drapes;
   result["solve.residual"] = flat.residual_N;
   result["solve.residual_relative"] = flat.residual_relative;
   result["energy.stretch_warp"] = flat.energy.warp;

@@ -16,7 +16,9 @@ class Execution {
   explicit Execution(Workroom& workroom) : workroom_(workroom) {}
 
   void operator()(const DrapeCommand& command) {
-    std::optional<Draped> draped = workroom_.drape(command);
+    std::optional<Draped> draped = command.developed.empty()
+                                       ? workroom_.drape(command)
+                                       : workroom_.drape(command, developments_.at(command.developed));
     if (!draped) {
       stopped_ = true;  // what follows may ask for the result
       return;

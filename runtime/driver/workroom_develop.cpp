@@ -10,6 +10,8 @@ namespace toile {
 namespace {
 
 constexpr double outline_tolerance = 0.0002;  // [m] of the redrawn edges
+constexpr int most_corrections = 8;
+constexpr double worth_going_on = 1.5;  // a miss larger than the least so far by this factor ends the corrections
 
 /// What the development leaves in the cloth where it lies on the form, in the words of a drape.
 Drape residual_drape(const Developed& developed, const FabricLaw& law) {
@@ -47,21 +49,12 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   developed.on_form.body = body(command.body, command.written);
   if (!developed.on_form.body) return std::nullopt;
   const Garment& garment = developed.drawn->garment;
-  {
-    const Stopwatch watch(profile_.solve_s);
-    developed.development = toile::develop(garment, developed.drawn->mesh, *developed.on_form.body, {}, job_);
-  }
-  for (const Target::Trouble& trouble : developed.development.target.troubles) {
-    diagnose(at_place(Severity::Error, "E0512", trouble.written, trouble.message, "drawn here", trouble.help));
-  }
-  if (!developed.development.target.troubles.empty() || interrupted()) return std::nullopt;
-  profile_.factorisations += developed.development.flat.factorisations;
+  const std::optional<Target> form = target(*developed.drawn, *developed.on_form.body);
+  if (!form) return std::nullopt;
+  flatten_to(*form, developed);
+  if (command.within && !interrupted()) correct(command, *form, developed);
+  if (interrupted()) return std::nullopt;
 
-  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
-  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
-  flat->cloth = make_cloth(flat->mesh);
-  developed.on_form.made = flat;
-  developed.on_form.drape = residual_drape(developed, make_law(garment.fabric));
   developed.redrawn = redraw(garment, developed.drawn->mesh, developed.development, outline_tolerance);
   std::vector<Diagnostic> found;
   developed.pattern = make_garment(developed.redrawn.draft, found);
@@ -71,6 +64,111 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   }
   note_development(command, developed);
   return developed;
+}
+
+std::optional<Target> Workroom::target(const MadeGarment& made, const Body& body) {
+  Target target = find_target(made.garment, made.mesh, body);
+  for (const Target::Trouble& trouble : target.troubles) {
+    diagnose(at_place(Severity::Error, "E0512", trouble.written, trouble.message, "drawn here", trouble.help));
+  }
+  if (!target.troubles.empty()) return std::nullopt;
+  return target;
+}
+
+std::shared_ptr<const Body> Workroom::body_called(const std::string& name, Location wanted) {
+  const std::vector<BodySpec>& bodies = program_->bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].name == name) return body(static_cast<int>(i), wanted);
+  }
+  return nullptr;
+}
+
+void Workroom::flatten_to(const Target& target, Developed& developed) {
+  const Garment& garment = developed.drawn->garment;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    developed.development = toile::develop(garment, developed.drawn->mesh, target, {}, job_);
+  }
+  profile_.factorisations += developed.development.flat.factorisations;
+  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
+  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
+  flat->cloth = make_cloth(flat->mesh);
+  developed.on_form.made = flat;
+  developed.on_form.drape = residual_drape(developed, make_law(garment.fabric));
+}
+
+// What the cloth misses the form by is added to what it is cut for, again and again, as dies are corrected for the
+// spring-back of the sheet (Gan & Wagoner 2004).
+void Workroom::correct(const DevelopCommand& command, const Target& form, Developed& developed) {
+  Target aim = form;
+  Developed best = developed;
+  double least = 1e300;
+  DrapeCommand draping;
+  draping.garment = command.garment;
+  draping.body = command.body;
+  for (int round = 1; round <= most_corrections; ++round) {
+    const std::optional<Draped> draped = drape_on_form(draping, developed, form);
+    if (!draped) return;
+    const double miss = draped->form->distance.p95;
+    listener_->noted(fmt::format("{}: drape {}: 95 % within {:.2f} mm of the form", developed.drawn->garment.name,
+                                 round, 1000 * miss));
+    const bool better = miss < least;
+    const bool hopeless = miss > worth_going_on * least;
+    if (better) {
+      least = miss;
+      best = developed;
+    }
+    best.drapes = round;
+    if (miss <= *command.within || hopeless || round == most_corrections) break;
+    const Placed start =
+        start_on_form(developed.drawn->mesh.s, developed.drawn->garment.wears, form, *developed.on_form.body,
+                      make_law(developed.drawn->garment.fabric).thickness / 2);
+    for (std::size_t v = 0; v < aim.positions.size(); ++v) {
+      aim.positions[v] += start.positions[v] - draped->drape.positions[v];
+    }
+    flatten_to(aim, developed);
+  }
+  developed = std::move(best);
+  if (least <= *command.within) return;
+  outcome_.unsettled = true;
+  diagnose(at_place(Severity::Warning, "W0514", command.written,
+                    fmt::format("no pattern was found that {} takes this form by: 95 % of the cloth come within {:.1f} "
+                                "mm of it, not {:.1f} mm",
+                                developed.drawn->garment.name, 1000 * least, 1000 * *command.within),
+                    "developed here",
+                    "cloth that is draped cannot follow hollows: hold or sew it there, or ask for less"));
+}
+
+std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const Developed& developed,
+                                              const Target& form) {
+  Draped draped;
+  draped.made = developed.on_form.made;
+  draped.body = developed.on_form.body;
+  const MadeGarment& made = *draped.made;
+  const Placed start =
+      start_on_form(made.mesh.s, made.garment.wears, form, *draped.body, make_law(made.garment.fabric).thickness / 2);
+  DrapeOptions options = drape_options(command);
+  options.carried_over = true;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    draped.drape = toile::drape(made.cloth, made.garment.fabric, draped.body.get(), start, options, job_);
+  }
+  profile_.factorisations += draped.drape.factorisations;
+  if (interrupted()) return std::nullopt;
+  draped.form = form_distance(made.mesh.s, start.positions, draped.drape.positions, made.cloth.area_of_vertex);
+  return draped;
+}
+
+std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Developed& developed) {
+  std::optional<Draped> draped = drape_on_form(
+      command, developed, find_target(developed.drawn->garment, developed.drawn->mesh, *developed.on_form.body));
+  if (!draped) return std::nullopt;
+  note_drape(command, *draped);
+  const Spread& distance = draped->form->distance;
+  listener_->noted(fmt::format("{} from its form: mean {:.2f} mm, 95 % {:.2f} mm, at most {:.2f} mm",
+                               draped->made->garment.name, 1000 * distance.mean, 1000 * distance.p95,
+                               1000 * distance.max));
+  return draped;
 }
 
 void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {

@@ -76,6 +76,15 @@ std::shared_ptr<const Body> Workroom::body(int number, Location wanted) {
   return body;
 }
 
+DrapeOptions Workroom::drape_options(const DrapeCommand& command) const {
+  DrapeOptions options;
+  options.accuracy = options_.accuracy.value_or(command.accuracy.value_or(options.accuracy));
+  options.solver = options_.solver;
+  options.threads = options_.threads;
+  options.gravity = command.body >= 0;
+  return options;
+}
+
 std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   Draped draped;
   draped.made = make(command.garment);
@@ -84,11 +93,7 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
     draped.body = body(command.body, command.written);
     if (!draped.body) return std::nullopt;
   }
-  DrapeOptions options;
-  options.accuracy = options_.accuracy.value_or(command.accuracy.value_or(options.accuracy));
-  options.solver = options_.solver;
-  options.threads = options_.threads;
-  options.gravity = draped.body != nullptr;
+  const DrapeOptions options = drape_options(command);
   std::vector<DrapeLevel> levels;
   for (const CoarseGarment& level : coarse(command.garment, *draped.made))
     levels.push_back({&level.mesh, &level.cloth});

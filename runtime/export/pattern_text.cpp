@@ -117,7 +117,8 @@ class PatternWriter {
       write_edges(hole.edges);
       put("    }}\n");
     }
-    if (draft.quantity > 1) put("    cut {}\n", draft.quantity);
+    if (draft.fold) put("    fold {}\n", *draft.fold);
+    if (draft.quantity > 1) put("    cut {}{}\n", draft.quantity, draft.mirrored ? " mirrored" : "");
     put("    grain {}\n", angle_text(std::atan2(draft.warp.y, draft.warp.x)));
     for (const DraftNotch& notch : draft.notches) put("    notch at {} of {}\n", in_cm_text(notch.at), notch.edge);
     if (!draft.allowances.empty()) {
@@ -132,7 +133,10 @@ class PatternWriter {
 
   static std::string chain(const std::vector<DraftEdgeRef>& edges) {
     std::string text;
-    for (const DraftEdgeRef& edge : edges) text += (text.empty() ? "" : " + ") + edge.piece + "." + edge.edge;
+    for (const DraftEdgeRef& edge : edges) {
+      text += (text.empty() ? "" : " + ") + edge.piece + "." + edge.edge;
+      if (edge.side) text += *edge.side == Side::Mirrored ? ".mirrored" : ".drawn";
+    }
     return text;
   }
 

@@ -44,7 +44,7 @@ const std::map<std::string, std::set<std::string>> allowed{
       "runtime/energy", "runtime/contact", "runtime/solve", "runtime/place"}},
     {"runtime/develop",
      {"compiler/curve", "compiler/pattern", "compiler/pmesh", "compiler/smesh", "runtime/mesh", "runtime/fabric",
-      "runtime/body", "runtime/energy", "runtime/solve"}},
+      "runtime/body", "runtime/energy", "runtime/place", "runtime/drape", "runtime/solve"}},
     {"runtime/field", {"compiler/curve", "runtime/mesh", "runtime/drape"}},
     {"runtime/png", {}},
     {"runtime/render",
