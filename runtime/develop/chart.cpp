@@ -33,6 +33,15 @@ Vec3 middle_of_box(const Body::Surface& surface) {
   return 0.5 * (low + high);
 }
 
+/// The waist, or else the first line that a garment would hang straight down from; null when there is none.
+const BodyLine* level_line(const Body& body) {
+  if (const BodyLine* waist = body.line("waist")) return waist;
+  for (const BodyLine& line : body.lines()) {
+    if (line.axis.z < -0.999) return &line;
+  }
+  return nullptr;
+}
+
 /// The part of `v` square to the unit vector `axis`, made a unit vector; any such when there is none.
 Vec3 square_to(Vec3 axis, Vec3 v) {
   for (const Vec3 candidate : {v, Vec3{0, -1, 0}, Vec3{1, 0, 0}}) {
@@ -76,8 +85,8 @@ BodyChart::BodyChart(const Body& body, const ChartSpec& spec, std::string& error
     up_ = -line->axis;
     front_ = square_to(up_, line->points.front() - origin_);
   } else {
-    const BodyLine* waist = body.line("waist");
-    origin_ = waist != nullptr ? middle_of(waist->points) : middle_of_box(body.surface());
+    const BodyLine* round_it = level_line(body);
+    origin_ = round_it != nullptr ? middle_of(round_it->points) : middle_of_box(body.surface());
     if (spec.map == ChartSpec::Map::Cylinder) origin_.z = 0;
   }
   if (spec.centre) origin_ = space_point(*spec.centre);

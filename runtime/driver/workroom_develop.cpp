@@ -1,6 +1,8 @@
 // From a garment that is drawn on a body to its flat pattern.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/pattern/draft.hpp"
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
@@ -38,6 +40,16 @@ Drape residual_drape(const Developed& developed, const FabricLaw& law) {
   drape.pressure.assign(drape.positions.size(), 0.0);
   drape.edge_rotations.assign(developed.drawn->mesh.s.edges.size(), 0.0);
   return drape;
+}
+
+/// Where the cloth stands off the form it is next cut for one that lies deeper by as much.
+void aim_beyond(const Target& form, const Draped& draped, Target& aim) {
+  for (std::size_t v = 0; v < aim.positions.size(); ++v) {
+    const auto surface = draped.body->nearest(form.positions[v], 0.1);
+    if (!surface) continue;
+    const double off = dot(draped.drape.positions[v] - form.positions[v], surface->normal);
+    aim.positions[v] += -std::max(off, 0.0) * surface->normal;
+  }
 }
 
 }  // namespace
@@ -120,12 +132,7 @@ void Workroom::correct(const DevelopCommand& command, const Target& form, Develo
     }
     best.drapes = round;
     if (miss <= *command.within || hopeless || round == most_corrections) break;
-    const Placed start =
-        start_on_form(developed.drawn->mesh.s, developed.drawn->garment.wears, form, *developed.on_form.body,
-                      make_law(developed.drawn->garment.fabric).thickness / 2);
-    for (std::size_t v = 0; v < aim.positions.size(); ++v) {
-      aim.positions[v] += start.positions[v] - draped->drape.positions[v];
-    }
+    aim_beyond(form, *draped, aim);
     flatten_to(aim, developed);
   }
   developed = std::move(best);

@@ -128,7 +128,7 @@ TEST(Develop, OpensADartAndKeepsItsSidesEquallyLong) {
   expect_sound(made);
   EXPECT_NEAR(edge_length(made, 0, "slit.left"), edge_length(made, 0, "slit.right"), 1e-4);
   const OpenedDart opened = opened_dart(made.mesh.p, 0, made.garment.pieces[0].darts[0], made.development);
-  EXPECT_GT(opened.width, 0.01);
+  EXPECT_GT(opened.width, 0.005);
   EXPECT_LT(opened.width, 0.06);
 }
 
