@@ -2,9 +2,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <limits>
 
+#include "runtime/develop/coarse_start.hpp"
 #include "runtime/develop/flattening.hpp"
+#include "runtime/develop/flips.hpp"
 #include "runtime/mesh/index.hpp"
 #include "runtime/solve/parallel.hpp"
 #include "runtime/solve/sparse.hpp"
@@ -12,25 +13,12 @@
 namespace toile {
 namespace {
 
-constexpr double most_shrinking = 0.1;  // of a triangle's area that one step leaves at least
-constexpr int most_halvings = 40;       // of a step that does not lower the energy
-constexpr double first_match = 10;      // stiffness of a match over that of a strip of cloth as wide as the pattern
-constexpr int most_stiffenings = 6;     // tenfold each
-constexpr double near_rest = 1e-3;      // relative residual below which the true Hessian is tried first
+constexpr int most_halvings = 40;    // of a step that does not lower the energy
+constexpr double first_match = 10;   // stiffness of a match over that of a strip of cloth as wide as the pattern
+constexpr int most_stiffenings = 6;  // tenfold each
+constexpr double near_rest = 1e-3;   // relative residual below which the true Hessian is tried first
 
 constexpr double least_share_of_grain = 0.7;  // of a piece's extent along the warp that its grain line spans
-
-/// The least positive root of a t^2 + b t + c for c > 0; infinity when there is none.
-double first_root(double a, double b, double c) {
-  const double never = std::numeric_limits<double>::infinity();
-  const double discriminant = b * b - 4 * a * c;
-  if (discriminant < 0) return never;
-  const double q = -0.5 * (b + std::copysign(std::sqrt(discriminant), b));
-  double least = never;
-  if (a != 0 && q / a > 0) least = q / a;
-  if (q != 0 && c / q > 0) least = std::min(least, c / q);
-  return least;
-}
 
 TargetTriangle speck() {
   constexpr double side = 1e-6;  // [m]
@@ -49,9 +37,10 @@ class Flattening {
     }
     for (const LengthMatch& match : input.matches) match_places_.push_back(matrix_.places(unknowns(match)));
     q_ = Vector(2 * static_cast<Eigen::Index>(input.start.size()));
-    for (std::size_t i = 0; i < input.start.size(); ++i) {
-      q_[2 * static_cast<Eigen::Index>(i)] = input.start[i].x;
-      q_[2 * static_cast<Eigen::Index>(i) + 1] = input.start[i].y;
+    const std::vector<Vec2> start = coarse_start(input, law);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      q_[2 * static_cast<Eigen::Index>(i)] = start[i].x;
+      q_[2 * static_cast<Eigen::Index>(i) + 1] = start[i].y;
     }
     stiffness_ = 0.5 * (law.warp.initial_stiffness() + law.weft.initial_stiffness());
     double area = 0;
@@ -241,10 +230,7 @@ bool Flattening::factorise(double residual) {
 double Flattening::longest_step(const Vector& step) const {
   double longest = 1;
   for (std::size_t t = 0; t < input_.triangles.size(); ++t) {
-    const PlaneCorners uv = corners(q_, t), d = corners(step, t);
-    const Vec2 a = uv[1] - uv[0], b = uv[2] - uv[0], da = d[1] - d[0], db = d[2] - d[0];
-    const double now = cross(a, b);
-    longest = std::min(longest, first_root(cross(da, db), cross(da, b) + cross(a, db), (1 - most_shrinking) * now));
+    longest = std::min(longest, step_before_flip(corners(q_, t), corners(step, t)));
   }
   return longest;
 }

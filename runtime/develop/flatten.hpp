@@ -45,7 +45,7 @@ struct Flattened {
 };
 
 struct FlattenOptions {
-  double tolerance = 1e-9;         // of the relative residual
+  double tolerance = 1e-7;         // of the relative residual
   double length_tolerance = 5e-5;  // [m] of the two sides of a seam
   int max_iterations = 300;
 };

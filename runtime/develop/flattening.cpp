@@ -132,11 +132,23 @@ Matrix4 hessian_by_displacement(const FlatState& s, const Densities& psi) {
   return hessian;
 }
 
+/// Whether Cholesky's factor of a symmetric matrix exists.
+bool is_definite(const Matrix4& symmetric) {
+  Matrix4 rest = symmetric;
+  for (int k = 0; k < entries; ++k) {
+    if (!(rest(k, k) > 0)) return false;
+    for (int i = k + 1; i < entries; ++i) {
+      const double factor = rest(i, k) / rest(k, k);
+      for (int j = k + 1; j <= i; ++j) rest(i, j) -= factor * rest(j, k);
+    }
+  }
+  return true;
+}
+
 Matrix4 definite_part(const Matrix4& symmetric) {
+  if (is_definite(symmetric)) return symmetric;
   const Eigen::SelfAdjointEigenSolver<Matrix4> solver(symmetric);
-  const Vector4 values = solver.eigenvalues();
-  if (values[0] >= 0) return symmetric;
-  return solver.eigenvectors() * values.cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
 }
 
 /// K by the six coordinates: the gradients of the corners' shape functions.

@@ -25,6 +25,10 @@ class TargetFinder {
 
   Target find() {
     for (const Piece& piece : garment_.pieces) {
+      if (!piece.chart) {
+        target_.troubles.push_back({"piece `" + piece.drawn_name + "` is not drawn on the body", "", piece.written});
+        continue;
+      }
       std::string error;
       charts_.push_back(std::make_unique<BodyChart>(body_, *piece.chart, error));
       if (!error.empty()) target_.troubles.push_back({error, "", piece.chart->written});

@@ -121,6 +121,13 @@ std::optional<DrapeCommand> choose_drape(Workroom& workroom, const std::string& 
     if (bodies.size() == 1) command->body = 0;
     if (bodies.size() > 1 && body.empty()) return choose(workroom, bodies, body, "body"), std::nullopt;
   }
+  const Garment& chosen = workroom.program().garments()[static_cast<std::size_t>(command->garment)];
+  if (!chosen.drawn_on.empty()) {
+    workroom.wrong_usage(
+        fmt::format("{} is drawn on {} and has no flat pattern to drape yet", chosen.name, chosen.drawn_on),
+        fmt::format("toile develop {} -o pattern.toile", workroom.script()));
+    return std::nullopt;
+  }
   if (!body.empty()) {
     const std::optional<int> found = choose(workroom, bodies, body, "body");
     if (!found) return std::nullopt;

@@ -181,7 +181,7 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Develop
 void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {
   const Flattened& flat = developed.development.flat;
   listener_->noted(fmt::format(
-      "{} developed: {} triangles, {} iterations, {} darts, energy {:.3g} J; sides of seams agree to {:.3f} mm, "
+      "{} developed: {} triangles, {} iterations, darts: {}, energy {:.3g} J; sides of seams agree to {:.3f} mm, "
       "outlines redrawn to {:.2f} mm",
       developed.drawn->garment.name, flat.strains.size(), flat.iterations,
       [&] {

@@ -2,6 +2,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <cstdio>
 #include <numbers>
 
 #include "runtime/drape/drape.hpp"
@@ -98,8 +99,7 @@ TEST(DevelopableSurfaces, HaveStrainsAndLengthErrorsThatFallWithTheSquareOfTheEd
       }
       const double error = std::abs(flat.area / drawn - 1);
       const double strain = std::sqrt(2 * total(flat) / (1000 * flat.area));
-      ::testing::Test::RecordProperty(std::string(each.name) + " strain at " + std::to_string(edge),
-                                      std::to_string(strain));
+      std::printf("%s: edges of %.0f mm, strain %.2e, area off by %.2e\n", each.name, 1000 * edge, strain, error);
       if (strain_before > 0) {
         EXPECT_GT(strain_before / strain, 3) << each.name << " at " << edge;
         EXPECT_GT(error_before / error, 3) << each.name << " at " << edge;
@@ -118,6 +118,7 @@ TEST(DevelopCap, HasTheEnergyOfTheShallowCap) {
   for (const double edge : {0.02, 0.01, 0.005, 0.0025}) {
     const FlatteningInput input = region(circle({0, 0}, {a, 0}), edge, cap(radius));
     const double error = std::abs(total(solve(input, isotropic(modulus))) / theory - 1);
+    std::printf("cap: edges of a/%.0f, energy off by %.2f %%\n", a / edge, 100 * error);
     if (error_before > 0) {
       EXPECT_LT(error, 0.6 * error_before);
     }
@@ -141,6 +142,7 @@ TEST(DevelopBelt, HasTheEnergyOfTheNarrowStrip) {
   double error_before = 0;
   for (const int rows : {16, 32, 64}) {
     const double error = std::abs((energy(0.5, rows) - energy(0.4, rows)) / 0.1 / theory - 1);
+    std::printf("belt: %d rows, energy off by %.2f %%\n", rows, 100 * error);
     if (error_before > 0) {
       EXPECT_LT(error, 0.3 * error_before);
     }
@@ -165,6 +167,7 @@ TEST(DevelopGores, FallWithTheFourthPowerOfTheirNumber) {
     return n * total(solve(input, isotropic(modulus)));
   };
   const double few = all_gores(24), many = all_gores(48);
+  std::printf("gores: from 24 to 48 the energy falls with the power %.2f\n", std::log2(few / many));
   EXPECT_NEAR(std::log2(few / many), 4, 0.1);
   // The integral of w^5 over the height.
   double integral = 0;
@@ -201,6 +204,8 @@ TEST(DevelopWithGrain, GivesAnotherPatternForEachDirection) {
         borrowed.start[p] = test::turned(flats[other].uv[p], angles[other] - angles[own]);
       }
       const Flattened as_cut = flatten(borrowed, law, {.max_iterations = 0}, {});
+      std::printf("grain: the pattern for %.0f deg cut at %.0f deg costs %.2f %% more\n", 180 / pi * angles[other],
+                  180 / pi * angles[own], 100 * (total(as_cut) / total(flats[own]) - 1));
       EXPECT_GT(total(as_cut), 1.001 * total(flats[own])) << own << " " << other;
     }
   }
