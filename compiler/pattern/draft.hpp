@@ -20,11 +20,11 @@ struct DraftEdge {
 struct DraftDart {
   std::string name;  // "dart1", … when the script gives none
   std::string edge;
-  double at = 0;            // [m] along the drawn edge, of the middle of the mouth
-  double width = 0;         // [m]
-  double depth = 0;         // [m]
-  std::optional<Vec2> tip;  // where the script says it, else square to the mouth
+  double at = 0;     // [m] along the drawn edge, of the middle of the mouth
+  double width = 0;  // [m]
+  double depth = 0;  // [m]
   Location written;
+  std::optional<Vec2> tip;  // where the script says it, else square to the mouth
 };
 
 struct DraftNotch {

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/develop/redraw.hpp"
 #include "runtime/export/json_layout.hpp"
 #include "runtime/report/summary.hpp"
 

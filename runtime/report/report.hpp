@@ -3,10 +3,12 @@
 
 #include <string>
 
-#include "runtime/develop/redraw.hpp"
 #include "runtime/export/export.hpp"
 
 namespace toile {
+
+struct Development;
+struct Redrawn;
 
 std::string report_json(const std::string& script, const DrapedGarment& draped);
 
