@@ -71,8 +71,9 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   std::vector<Diagnostic> found;
   developed.pattern = make_garment(developed.redrawn.draft, found);
   for (const Diagnostic& diagnostic : found) {
-    diagnose(at_place(Severity::Warning, "W0513", command.written,
-                      "the developed pattern is not sound: " + diagnostic.message, "developed here", diagnostic.help));
+    diagnose(at_place(Severity::Warning, "W0515", command.written,
+                      "the developed pattern cannot be cut as it is: " + diagnostic.message, "developed here",
+                      "where the form is a saddle a dart does not open: leave it out, or end it elsewhere"));
   }
   note_development(command, developed);
   return developed;

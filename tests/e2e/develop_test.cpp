@@ -15,19 +15,20 @@ body torso {
   section       at 80cm  { girth 94cm }
   section waist at 100cm { girth 68cm }
   section       at 120cm { girth 90cm }
+  section       at 140cm { girth 60cm }
 }
 
 garment bodice in fabrics.cotton_shirting {
   piece front on torso {
     outline from (0cm, 100cm) {
       waist  = line to (12cm, 100cm)
-      side   = line to (12cm, 115cm)
-      top    = line to (0cm, 115cm)
+      side   = line to (12cm, 128cm)
+      top    = line to (0cm, 128cm)
       centre = line to start
     }
     fold  centre
     grain down
-    dart  at 50% of waist { depth 10cm }
+    dart  at 50% of waist { depth 18cm }
     allowance 1cm
   }
   wear front.waist at torso
@@ -76,13 +77,13 @@ TEST(DevelopCommand, IsFollowedByADrapeOnTheSameBody) {
 TEST(DevelopCommand, ShowsThePieceThatLeavesTheBody) {
   const CommandLine call;
   std::string high = bodice;
-  for (std::size_t at = high.find("115cm"); at != std::string::npos; at = high.find("115cm"))
-    high.replace(at, 5, "140cm");
+  for (std::size_t at = high.find("128cm"); at != std::string::npos; at = high.find("128cm"))
+    high.replace(at, 5, "160cm");
   call.scratch.write("bodice.toile", high);
   const Called developed = call.toile("develop bodice.toile -o flat.toile");
   EXPECT_EQ(developed.exit_code, 1);
   EXPECT_THAT(developed.err, HasSubstr("E0512"));
-  EXPECT_THAT(developed.err, HasSubstr("bodice.toile:10:"));
+  EXPECT_THAT(developed.err, HasSubstr("bodice.toile:11:"));
 }
 
 }  // namespace
