@@ -164,7 +164,7 @@ struct Garment : ViewOf<Kind::Garment> {
 /// items() are Let Outline Hole Fold Cut Grain Dart Notch Repeat Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
-  std::optional<Expr> on() const { return after<Expr>(*this, Kind::KwOn); }  // drawn on a body, to be developed
+  std::optional<Expr> on() const { return after<Expr>(*this, Kind::KwOn); }        // drawn on a body, to be developed
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
 };
 
