@@ -94,7 +94,8 @@ bool fits(const DraftPiece& draft, const DrawnPiece& drawn, const Region& region
           Findings& findings) {
   const DraftDart& dart = *wedge.draft;
   const double room = room_for(drawn, wedge);
-  if (room < dart.depth - kSame || !region.contains(wedge.tip)) {
+  const double depth = distance(0.5 * (wedge.from + wedge.to), wedge.tip);
+  if (room < depth - kSame || !region.contains(wedge.tip)) {
     findings.error("E0311", fmt::format("{} is deeper than piece {} there", described(dart), quoted(draft.name)),
                    {{dart.written, fmt::format("{} deep, where the piece is {} deep", in_cm(dart.depth), in_cm(room))},
                     {draft.written, "the piece"}},
