@@ -168,6 +168,7 @@ struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
   std::optional<Expr> taken() const { return after<Expr>(*this, Kind::Assign); }   // drawn elsewhere
+  std::optional<Expr> on() const { return after<Expr>(*this, Kind::KwOn); }        // drawn on a body, to be developed
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
 };
 
@@ -365,6 +366,13 @@ struct Drape : ViewOf<Kind::Drape> {
   std::optional<Expr> body() const { return after<Expr>(*this, Kind::KwOn); }
   std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
   std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }
+};
+
+/// develop bodice as flat until within 3mm
+struct Develop : ViewOf<Kind::Develop> {
+  std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDevelop); }
+  std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
+  std::optional<Expr> within() const { return after<Expr>(*this, Kind::KwWithin); }
 };
 
 /// word() is KwFrom with names() of one view, KwShowing with the dotted names() of a field, or KwPixels with sizes().

@@ -205,7 +205,8 @@ struct piece
     : statement<
           Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
           pegtl::sor<pegtl::seq<assign, pegtl::sor<pegtl::seq<any_name, word<Kind::KwWith>, piece_block>, expression>>,
-                     pegtl::seq<pegtl::opt<parameters>, piece_block>>,
+                     pegtl::seq<pegtl::opt<parameters>, pegtl::opt<with_value<Kind::KwOn>>,
+                                pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block>>,
           at_end<>> {};
 
 // --------------------------------------------------------------------------------------------------- garments
@@ -246,6 +247,8 @@ struct garment
 
 struct drape : line<Kind::Drape, word<Kind::KwDrape>, expression, pegtl::opt<with_value<Kind::KwOn>>,
                     pegtl::opt<word<Kind::KwAs>, any_name>, pegtl::opt<with_value<Kind::KwTo>>> {};
+struct develop : line<Kind::Develop, word<Kind::KwDevelop>, expression, pegtl::opt<word<Kind::KwAs>, any_name>,
+                      pegtl::opt<word<Kind::KwUntil>, with_value<Kind::KwWithin>>> {};
 struct render_option
     : node<Kind::RenderOption,
            pegtl::sor<pegtl::seq<word<Kind::KwFrom>, any_name>,
@@ -258,7 +261,7 @@ struct print : line<Kind::Print, word<Kind::KwPrint>, expression, pegtl::star<co
 struct expect : line<Kind::Expect, word<Kind::KwExpect>, expression> {};
 
 struct file_item : pegtl::sor<let, param, solve, fn, import, garment, piece, fabric, textile, sizes, body, drape,
-                              render, export_, print, expect> {};
+                              develop, render, export_, print, expect> {};
 
 /// Statements to the end of the text. Always succeeds.
 struct file {

@@ -43,7 +43,7 @@ constexpr StatementWords statement_words(Kinds... keywords) {
 inline constexpr StatementWords file_words =
     statement_words(Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwSolve, Kind::KwFabric,
                     Kind::KwTextile, Kind::KwSizes, Kind::KwBody, Kind::KwGarment, Kind::KwPiece, Kind::KwDrape,
-                    Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
+                    Kind::KwDevelop, Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
 inline constexpr StatementWords garment_words = statement_words(
     Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear, Kind::KwArrange);
 inline constexpr StatementWords piece_words =

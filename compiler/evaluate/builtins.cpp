@@ -10,7 +10,8 @@ namespace {
 const std::map<std::string_view, Builtin>& registry() {
   static const std::map<std::string_view, Builtin> all = [] {
     std::map<std::string_view, Builtin> by_name;
-    for (auto table : {number_builtins(), geometry_builtins(), drafting_builtins(), body_builtins()}) {
+    for (auto table :
+         {number_builtins(), geometry_builtins(), drafting_builtins(), body_builtins(), chart_builtins()}) {
       for (Builtin& builtin : table) by_name.emplace(builtin.name, std::move(builtin));
     }
     return by_name;
@@ -21,6 +22,7 @@ const std::map<std::string_view, Builtin>& registry() {
 bool fits(const Value& value, Want want) {
   const auto* quantity = value.as<Quantity>();
   const auto* point = value.as<Point>();
+  const auto* space = value.as<Point3>();
   const bool is_point = point != nullptr && point->dimension == dimension::length;
   switch (want) {
     case Want::Plain:
@@ -49,6 +51,12 @@ bool fits(const Value& value, Want want) {
       return value.as<Text>() != nullptr;
     case Want::Truth:
       return value.as<Truth>() != nullptr;
+    case Want::Body:
+      return value.as<BodyValue>() != nullptr || value.as<BodyLineValue>() != nullptr;
+    case Want::Space:
+      return space != nullptr && space->dimension == dimension::length;
+    case Want::Direction:
+      return space != nullptr && space->dimension.plain();
   }
   return false;
 }
@@ -81,6 +89,12 @@ std::string_view words(Want want) {
       return "a text";
     case Want::Truth:
       return "true or false";
+    case Want::Body:
+      return "a body or a line of one";
+    case Want::Space:
+      return "a point in space";
+    case Want::Direction:
+      return "a direction in space, (0, 0, 1)";
   }
   return "";
 }

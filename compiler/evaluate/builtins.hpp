@@ -23,8 +23,11 @@ enum class Want {
   List,
   Text,
   Truth,
-  Along,  // a length or a fraction
-  Place   // the same, or a point of the curve, or a curve across it
+  Body,       // or a line of it, whose axis is meant
+  Space,      // a point in space
+  Direction,  // three plain numbers
+  Along,      // a length or a fraction
+  Place       // the same, or a point of the curve, or a curve across it
 };
 
 struct BuiltinParameter {
@@ -70,5 +73,6 @@ std::vector<Builtin> number_builtins();
 std::vector<Builtin> geometry_builtins();
 std::vector<Builtin> drafting_builtins();
 std::vector<Builtin> body_builtins();
+std::vector<Builtin> chart_builtins();
 
 }  // namespace toile

@@ -16,20 +16,31 @@ void Commands::define_results() {
   for (const syntax::View& command : module().commands) {
     planned_.push_back({command, nullptr, std::nullopt});
     const auto drape = syntax::as<syntax::Drape>(command);
-    if (!drape) continue;
-    const auto name = drape->name();
+    const auto develop = syntax::as<syntax::Develop>(command);
+    if (!drape && !develop) continue;
+    const auto name = drape ? drape->name() : develop->name();
     DrapeRecord& record = session_.drapes.emplace_back();
     record.name = session_.name_of(module(), name);
-    record.written = name ? module().at(*name) : module().at(*drape);
+    record.written = name ? module().at(*name) : module().at(command);
+    record.develops = develop.has_value();
+    if (drape && drape->garment()) record.developed = development_called(session_.text(module(), *drape->garment()));
     planned_.back().drape = &record;
     if (name) define(session_, names, name, [&record]() -> Value { return ResultValue{&record, ""}; });
   }
+}
+
+const DrapeRecord* Commands::development_called(std::string_view name) const {
+  for (const DrapeRecord& record : session_.drapes) {
+    if (record.develops && record.name == name) return &record;
+  }
+  return nullptr;
 }
 
 void Commands::check() {
   const Holding<bool> in_commands(session_.in_commands, true);
   for (Planned& planned : planned_) {
     if (const auto drape = syntax::as<syntax::Drape>(planned.written)) check_drape(planned, *drape);
+    if (const auto develop = syntax::as<syntax::Develop>(planned.written)) check_develop(planned, *develop);
     if (const auto render = syntax::as<syntax::Render>(planned.written)) check_render(planned, *render);
     if (const auto output = syntax::as<syntax::Export>(planned.written)) check_export(planned, *output);
     if (const auto print = syntax::as<syntax::Print>(planned.written)) check_print(*print);
@@ -44,9 +55,11 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
   made.name = planned.drape->name;
   bool sound = true;
   const auto garment_expr = drape.garment();
+  const bool of_development = planned.drape->developed != nullptr;
   const GarmentInstance* garment =
-      garment_expr ? as_garment(session_, evaluate(session_, scope(), garment_expr), module().at(*garment_expr))
-                   : nullptr;
+      garment_expr && !of_development
+          ? as_garment(session_, evaluate(session_, scope(), garment_expr), module().at(*garment_expr))
+          : nullptr;
   std::shared_ptr<BodyInstance> body;
   if (const auto body_expr = drape.body()) {
     body = as_body(session_, evaluate(session_, scope(), body_expr), module().at(*body_expr));
@@ -62,6 +75,7 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
                               .help("drape skirt on form as worn to 1e-6"));
     }
   }
+  if (of_development && sound) return check_drape_of_development(planned, drape, std::move(made));
   if (garment == nullptr) return;
   if (!garment->has_fabric) {
     session_.report.add(
@@ -69,6 +83,15 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
             .at(module().at(*garment_expr), "draped here")
             .also(garment->draft.written, "no fabric here")
             .help(fmt::format("garment {} in fabrics.wool_serge {{ ... }}", garment->draft.name)));
+    return;
+  }
+  if (garment->drawn_on != nullptr) {
+    session_.report.add(
+        Problem("E0511", fmt::format("garment `{}` is drawn on `{}`: it has no flat pattern yet that could be draped",
+                                     garment->draft.name, garment->drawn_on->spec.name))
+            .at(module().at(*garment_expr), "draped here")
+            .also(garment->draft.written, "drawn on the body")
+            .help(fmt::format("develop {} as flat", garment->draft.name)));
     return;
   }
   if (sound) check_bodies(drape, *garment, body.get());

@@ -34,6 +34,7 @@ class Commands {
 
   void check_drape(Planned& planned, const syntax::Drape& drape);
   void check_bodies(const syntax::Drape& drape, const GarmentInstance& garment, const BodyInstance* body);
+  void check_develop(Planned& planned, const syntax::Develop& develop);
   void check_render(Planned& planned, const syntax::Render& render);
   void check_export(Planned& planned, const syntax::Export& output);
   void check_print(const syntax::Print& print);
@@ -45,6 +46,9 @@ class Commands {
   /// A checked output path with one of these extensions, or nothing.
   std::optional<std::string> output_path(const std::optional<syntax::Expr>& path, const std::string& what,
                                          const std::vector<std::string>& extensions);
+  /// The development of that name among the commands above.
+  const DrapeRecord* development_called(std::string_view name) const;
+  void check_drape_of_development(Planned& planned, const syntax::Drape& drape, DrapeCommand made);
   /// The drape whose result an expression names.
   const DrapeRecord* result(const syntax::Expr& expr, const Value& value);
 

@@ -36,6 +36,11 @@ const Curve& curve_of(const DraftPiece& draft, const std::string& edge) {
   return drafted_edge(draft, edge)->curve;
 }
 
+/// So wide is a slit in the chart, where it must have two sides to be meshed; on the body it is closed.
+double slit_width(double depth) {
+  return std::min(0.002, depth / 20);
+}
+
 class DetailReader {
  public:
   DetailReader(Session& session, const PieceInstance& piece, DraftPiece& draft)
@@ -144,6 +149,7 @@ class DetailReader {
       session_.report.add(Problem("E0102", "a dart has a `depth` or a `tip`").at(made.written));
       return fail();
     }
+    if (draft_.chart) return read_slit(std::move(made), placed, sizes, dart.span());
     const bool deep = !dart.inside() && !sizes.has("tip");
     const std::string help = dart.inside() ? "dart from (10cm, 9cm) to (10cm, -12cm) { width 2.5cm }"
                                            : "dart at 50% of waist { width 2.5cm, depth 9cm }";
@@ -154,6 +160,22 @@ class DetailReader {
     made.depth = sizes.size("depth");
     made.short_of_tip = sizes.size("short");
     made.widest = sizes.has("widest") ? sizes.size("widest") : distance(made.inside.from, made.inside.to) / 2;
+    draft_.darts.push_back(std::move(made));
+  }
+
+  /// A dart of a piece that is drawn on a body is a slit there: how wide it opens comes out of the development.
+  void read_slit(DraftDart made, bool placed, DetailProperties& sizes, Span span) {
+    const bool sized = sizes.has("width");
+    if (sized || made.edge.empty() || sizes.has("tip") == sizes.has("depth")) {
+      session_.report.add(Problem("E0310", sized ? "the width of a dart drawn on a body comes out of the development"
+                                                 : "a dart drawn on a body has either its depth or its tip")
+                              .at(made.written)
+                              .help("dart at 50% of waist { depth 9cm }, or { tip (8cm, 115cm) }"));
+      return fail();
+    }
+    if (!sizes.complete({}, span, "") || !placed) return fail();
+    made.depth = made.tip ? distance(curve_of(draft_, made.edge).at(made.at), *made.tip) : sizes.size("depth");
+    made.width = slit_width(made.depth);
     draft_.darts.push_back(std::move(made));
   }
 

@@ -50,10 +50,15 @@ Value fact_of_line(const Access& access, const BodyLineValue& object, Location o
   return access.unknown("a line of a body has no `" + access.text + "`", {"girth", "level"});
 }
 
+const std::vector<std::pair<std::string, std::string>>& schema_of(const DrapeRecord& record) {
+  if (record.develops) return development_schema();
+  return record.developed != nullptr ? form_drape_schema() : result_schema();
+}
+
 /// The next parts of the schema's names after `prefix`.
-std::vector<std::string> fields_after(const std::string& prefix) {
+std::vector<std::string> fields_after(const DrapeRecord& record, const std::string& prefix) {
   std::vector<std::string> names;
-  for (const auto& [name, unit] : result_schema()) {
+  for (const auto& [name, unit] : schema_of(record)) {
     if (!name.starts_with(prefix)) continue;
     const std::string next = name.substr(prefix.size(), name.find('.', prefix.size()) - prefix.size());
     if (names.empty() || names.back() != next) names.push_back(next);
@@ -65,13 +70,14 @@ Value result_field(const Access& access, const ResultValue& object) {
   Session& session = access.session;
   const DrapeRecord& drape = *object.drape;
   if (session.in_commands && !drape.reached) {
-    session.report.add(Problem("E0506", "`" + drape.name + "` is used before it is draped")
+    const std::string made = drape.develops ? "developed" : "draped";
+    session.report.add(Problem("E0506", "`" + drape.name + "` is used before it is " + made)
                            .at(access.module.at(access.name), "used here")
-                           .also(drape.written, "draped only here"));
+                           .also(drape.written, made + " only here"));
     return Unknown{};
   }
   const std::string full = object.prefix + access.text;
-  for (const auto& [name, unit_name] : result_schema()) {
+  for (const auto& [name, unit_name] : schema_of(drape)) {
     if (name.starts_with(full + ".")) return ResultValue{object.drape, full + "."};
     if (name != full) continue;
     const Unit unit = parse_unit(unit_name).value_or(Unit{});
@@ -84,7 +90,7 @@ Value result_field(const Access& access, const ResultValue& object) {
   const std::string owner = object.prefix.empty() ? drape.name : drape.name + "." + object.prefix;
   std::string shown = owner;
   if (shown.ends_with('.')) shown.pop_back();
-  return access.unknown("`" + shown + "` has no field `" + access.text + "`", fields_after(object.prefix));
+  return access.unknown("`" + shown + "` has no field `" + access.text + "`", fields_after(drape, object.prefix));
 }
 
 Value field_of(const Access& access, const RecordValue& record) {

@@ -75,6 +75,7 @@ struct Repeated {
 
 /// A piece's statements after its variations were applied: `piece back = front with { … }` starts from front's.
 struct PiecePlan {
+  std::optional<syntax::Expr> on;  // the body, or a chart of it
   std::vector<syntax::Let> lets;
   std::vector<syntax::Solve> solves;
   std::optional<syntax::Outline> outline;  // the one that says where the pen starts
@@ -119,16 +120,20 @@ struct GarmentInstance {
   int index = -1;  // among Program::garments()
   bool has_fabric = false;
   bool sound = true;
+  std::shared_ptr<BodyInstance> drawn_on;  // of pieces that are to be developed
 
   PieceInstance* piece(std::string_view piece_name) const;
 };
 
+/// A drape or a development.
 struct DrapeRecord {
   std::string name;
   Location written;
-  bool reached = false;  // by the commands, in their order
+  bool develops = false;
+  const DrapeRecord* developed = nullptr;  // whose pattern is draped, if it is a development's
+  bool reached = false;                    // by the commands, in their order
   std::optional<Result> result;
-  const GarmentInstance* garment = nullptr;
+  const GarmentInstance* garment = nullptr;  // of a development
 };
 
 }  // namespace toile

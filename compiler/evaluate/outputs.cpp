@@ -88,9 +88,10 @@ const DrapeRecord* Commands::result(const syntax::Expr& expr, const Value& value
   const auto* found = value.as<ResultValue>();
   if (found != nullptr && found->prefix.empty()) {
     if (found->drape->reached) return found->drape;
-    session_.report.add(Problem("E0506", "`" + found->drape->name + "` is used before it is draped")
+    const std::string made = found->drape->develops ? "developed" : "draped";
+    session_.report.add(Problem("E0506", "`" + found->drape->name + "` is used before it is " + made)
                             .at(module().at(expr), "used here")
-                            .also(found->drape->written, "draped only here"));
+                            .also(found->drape->written, made + " only here"));
     return nullptr;
   }
   if (value.unknown()) return nullptr;
@@ -159,7 +160,10 @@ void Commands::check_export(Planned& planned, const syntax::Export& output) {
     made.path = *path;
   } else {
     const DrapeRecord* drape = result(*subject, value);
-    const auto path = output_path(output.path(), "a drape", {"obj", "ply", "glb", "json"});
+    const bool develops = drape != nullptr && drape->develops;
+    const auto path = develops
+                          ? output_path(output.path(), "a development", {"toile", "svg", "json", "obj", "ply", "glb"})
+                          : output_path(output.path(), "a drape", {"obj", "ply", "glb", "json"});
     if (drape == nullptr || !path) return;
     made.result = drape->name;
     made.path = *path;

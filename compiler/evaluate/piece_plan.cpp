@@ -148,6 +148,7 @@ void PiecePlanner::apply(PieceInstance& piece) {
   OwnDetails own(plan);
   std::vector<syntax::Hole> own_holes;
   std::map<std::string, Location> own_lets;
+  if (const auto on = piece.written.on()) plan.on = on;
   for (const syntax::View item : syntax::items(piece.written)) {
     if (const auto let = syntax::as<syntax::Let>(item)) {
       if (!let->name()) continue;

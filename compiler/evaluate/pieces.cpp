@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/evaluate/charts.hpp"
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
@@ -92,6 +93,7 @@ class PieceDrafter {
     draft_.name = piece_.name;
     const auto name = piece_.written.name();
     draft_.written = name ? module_.at(*name) : module_.at(piece_.written);
+    if (piece_.plan.on) read_chart(*piece_.plan.on);
     // All names are checked, also those that no edge uses.
     for (const auto& definition : piece_.scope->definitions()) force(session_, *definition);
     read_outline();
@@ -107,6 +109,11 @@ class PieceDrafter {
 
  private:
   void fail() { piece_.sound = false; }
+
+  void read_chart(const syntax::Expr& on) {
+    draft_.chart = chart_of(session_, evaluate(session_, *piece_.scope, on), module_.at(on), *piece_.garment);
+    if (!draft_.chart) fail();
+  }
 
   void read_outline() {
     if (!piece_.plan.outline) {

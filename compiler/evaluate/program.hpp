@@ -40,14 +40,22 @@ class World {
 using Result = std::map<std::string, double>;
 
 struct DrapeCommand {
-  int garment = 0;   // index into Program::garments
-  int body = -1;     // index into Program::bodies, or -1: floats, no gravity
-  std::string name;  // "worn"; empty when unnamed
+  int garment = 0;        // index into Program::garments
+  std::string developed;  // the name of the development whose pattern is draped, back on its form; else empty
+  int body = -1;          // index into Program::bodies, or -1: floats, no gravity
+  std::string name;       // "worn"; empty when unnamed
   std::optional<double> accuracy;
   Location written;
 };
+struct DevelopCommand {
+  int garment = 0;
+  int body = 0;
+  std::string name;
+  std::optional<double> within;  // [m] of the form when it is draped back, which the pattern is to be corrected for
+  Location written;
+};
 struct RenderCommand {
-  std::string result;  // the name of a drape
+  std::string result;  // the name of a drape or a development
   std::string path;
   std::string view;   // "front", "back", "left", "right", "above", "" for the default
   std::string field;  // "strain.warp" or empty
@@ -56,7 +64,7 @@ struct RenderCommand {
 };
 struct ExportCommand {
   std::optional<int> garment;  // flat: svg, json
-  std::string result;          // or a drape: obj, ply, glb, json
+  std::string result;          // or a drape: obj, ply, glb, json; or a development: toile, svg, json
   std::string path;
   Location written;
 };
@@ -70,7 +78,7 @@ struct ExpectCommand {
   std::string found;  // the values of both sides, with units
   Location written;
 };
-using Command = std::variant<DrapeCommand, RenderCommand, ExportCommand, PrintCommand, ExpectCommand>;
+using Command = std::variant<DrapeCommand, DevelopCommand, RenderCommand, ExportCommand, PrintCommand, ExpectCommand>;
 
 struct Setting {
   std::string name;
@@ -94,7 +102,7 @@ class Program {
   /// The next command with its expressions evaluated, or nullopt at the end (or after an error, which is then among the
   /// diagnostics).
   virtual std::optional<Command> next() = 0;
-  /// The result of the drape command just handed out.
+  /// The result of the drape or develop command just handed out.
   virtual void give(const Result& result) = 0;
 };
 
@@ -114,5 +122,16 @@ std::string emit_pattern(const Program& program);
 ///   hem.length      length of that loop as draped; hem.low, hem.high: its lowest and highest z
 ///   bounds.width    extent of the drape in x; bounds.depth in y; bounds.low, bounds.high: least and greatest z
 const std::vector<std::pair<std::string, std::string>>& result_schema();
+
+/// The same for a drape of a development, which has
+///   form.distance, form.slip   how far the cloth is from the form it was developed for, and how far its points lie
+///   from
+///                              where they were drawn, each with mean p95 max [m]
+const std::vector<std::pair<std::string, std::string>>& form_drape_schema();
+
+/// The same for a development: what it has in common with a drape, and
+///   area, target_area   of the flat pattern, of the form [m2]
+///   seams.mismatch      the largest difference between two sides that are sewn together [m]
+const std::vector<std::pair<std::string, std::string>>& development_schema();
 
 }  // namespace toile

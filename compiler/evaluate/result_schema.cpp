@@ -41,10 +41,41 @@ Schema make_schema() {
   return schema;
 }
 
+Schema make_form_drape_schema() {
+  Schema schema = make_schema();
+  for (const char* what : {"form.distance.", "form.slip."}) add(schema, what, {"mean", "p95", "max"}, "m");
+  return schema;
+}
+
+Schema make_development_schema() {
+  Schema schema;
+  add(schema, "mesh.", {"triangles", "vertices", "edges", "boundary_loops", "components", "euler", "orientable"}, "1");
+  add(schema, "solve.", {"converged", "iterations", "flipped", "residual_relative", "drapes"}, "1");
+  add(schema, "solve.", {"residual"}, "N");
+  add(schema, "energy.", {"stretch_warp", "stretch_weft", "shear", "total"}, "J");
+  for (const char* direction : {"warp.", "weft."}) {
+    add(schema, std::string("strain.") + direction, {"min", "mean", "p95", "max"}, "%");
+  }
+  add(schema, "strain.shear.", {"min", "mean", "p95", "max"}, "rad");
+  add(schema, "", {"area", "target_area"}, "m^2");
+  add(schema, "seams.", {"mismatch"}, "m");
+  return schema;
+}
+
 }  // namespace
 
 const std::vector<std::pair<std::string, std::string>>& result_schema() {
   static const Schema schema = make_schema();
+  return schema;
+}
+
+const std::vector<std::pair<std::string, std::string>>& form_drape_schema() {
+  static const Schema schema = make_form_drape_schema();
+  return schema;
+}
+
+const std::vector<std::pair<std::string, std::string>>& development_schema() {
+  static const Schema schema = make_development_schema();
   return schema;
 }
 

@@ -259,6 +259,10 @@ class SewingReader {
     const auto expr = wear.line();
     const Value value = evaluate(session_, *garment_.scope, expr);
     if (value.unknown()) return nullptr;
+    if (const auto* body = value.as<BodyValue>(); body != nullptr && garment_.drawn_on == body->body) {
+      line.clear();  // held where it is drawn
+      return body->body;
+    }
     const auto* found = value.as<BodyLineValue>();
     if (found == nullptr) {
       wanted_.wrong(*expr, value, "what a garment is worn at", "a line of a body");

@@ -92,9 +92,12 @@ std::string describe(const Value& value) {
                         },
                         [](const BodyValue&) -> std::string { return "a body"; },
                         [](const BodyLineValue&) -> std::string { return "a line of a body"; },
+                        [](const ChartValue&) -> std::string { return "a map of a body"; },
                         [](const FabricValue&) -> std::string { return "a fabric"; },
                         [](const TextileValue&) -> std::string { return "a textile"; },
-                        [](const ResultValue&) -> std::string { return "a drape's result"; },
+                        [](const ResultValue& result) -> std::string {
+                          return result.drape->develops ? "a development" : "a drape's result";
+                        },
                         [](FunctionRef) -> std::string { return "a function"; },
                         [](BuiltinRef) -> std::string { return "a function"; },
                         [](ModuleRef) -> std::string { return "a module"; },

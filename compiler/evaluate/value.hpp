@@ -26,6 +26,7 @@ struct BodyTemplate;
 struct GarmentTemplate;
 struct PieceTemplate;
 struct BodyInstance;
+struct ChartSpec;
 struct GarmentInstance;
 struct PieceInstance;
 struct HoleInstance;
@@ -74,6 +75,11 @@ struct BodyLineValue {
   std::shared_ptr<BodyInstance> body;
   std::string line;
 };
+/// A map of a body's surface to the plane, in which pieces are drawn.
+struct ChartValue {
+  std::shared_ptr<BodyInstance> body;
+  std::shared_ptr<const ChartSpec> spec;
+};
 struct FabricValue {
   std::shared_ptr<const FabricSheet> sheet;
 };
@@ -101,8 +107,8 @@ class Value {
  public:
   using Data =
       std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue, BodyValue,
-                   BodyLineValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef, ModuleRef,
-                   BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, HoleRef>;
+                   BodyLineValue, ChartValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef,
+                   ModuleRef, BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, HoleRef>;
 
   Value() = default;
   template <typename T>

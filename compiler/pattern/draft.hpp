@@ -108,6 +108,7 @@ struct DraftPiece {
   std::vector<DraftNotch> notches;
   std::vector<DraftAllowance> allowances;
   std::string label;
+  std::optional<ChartSpec> chart;  // drawn on a body
   Location written;
 };
 
@@ -166,6 +167,7 @@ struct DraftGarment {
   std::vector<DraftArrangement> arrangements;
   FabricSheet fabric;
   Textile textile;
+  std::string drawn_on;  // the name of a body, where pieces are drawn on one
   Location written;
 };
 

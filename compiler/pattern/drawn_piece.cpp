@@ -52,6 +52,7 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   piece.drawn_name = draft.name;
   piece.warp = draft.warp;
   piece.quantity = draft.mirrored ? std::max(1, draft.quantity / 2) : draft.quantity;
+  piece.chart = draft.chart;
   piece.written = draft.written;
   piece.edges = directed(draft, draft.outline, "", true, drawn.as_drawn);
   for (const DraftHole& hole : draft.holes) {

@@ -82,7 +82,7 @@ PieceUse use_of(const DraftPiece& piece, const DraftGarment& draft) {
 }
 
 Garment made_of(const DraftGarment& draft, Findings& findings) {
-  Garment garment{draft.name, {}, {}, {}, {}, draft.fabric, draft.textile, draft.written};
+  Garment garment{draft.name, {}, {}, {}, {}, draft.fabric, draft.textile, draft.drawn_on, draft.written};
   for (const DraftPiece& piece : draft.pieces) {
     for (Piece& cut : cut_piece(piece, use_of(piece, draft), findings)) garment.pieces.push_back(std::move(cut));
   }

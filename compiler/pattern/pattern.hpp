@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "compiler/curve/curve.hpp"
+#include "compiler/pattern/chart_spec.hpp"
 #include "compiler/pattern/fabric_sheet.hpp"
 #include "compiler/pattern/textile.hpp"
 #include "grammar/source.hpp"
@@ -114,7 +115,8 @@ struct Piece {
   std::vector<LineMark> marks;
   std::vector<PointMark> spots;
   int quantity = 1;
-  std::string label;  // what is written on it
+  std::string label;               // what is written on it
+  std::optional<ChartSpec> chart;  // drawn on a body: what stands here is in the chart, and is to be developed
   Location written;
 
   /// All edges in one numbering: those of the outline, then those of the holes, hole by hole.
@@ -187,6 +189,7 @@ struct Garment {
   std::vector<Arrangement> arrangements;
   FabricSheet fabric;
   Textile textile;
+  std::string drawn_on;  // the body that its pieces are drawn on; empty for a pattern that is drawn flat
   Location written;
 };
 

@@ -224,8 +224,8 @@ bool cut_pleats(const DraftPiece& draft, const PieceUse& use, DrawnPiece& drawn,
     PleatCutter(draft, pleat, drawn, findings).cut(joined);
   }
   for (const DraftPlace& end : drawn.crease_ends) {
-    const bool is_folded = std::any_of(drawn.turns.begin(), drawn.turns.end(),
-                                       [&](const CutTurn& turn) { return turn.edge == end.edge; });
+    const bool is_folded =
+        std::any_of(drawn.turns.begin(), drawn.turns.end(), [&](const CutTurn& turn) { return turn.edge == end.edge; });
     if (!is_folded) divide_at(drawn, end.edge, end.at);
   }
   return findings.errors() == before;

@@ -163,7 +163,8 @@ bool finish_darts(const DraftPiece& draft, DrawnPiece& drawn, Findings& findings
       continue;
     }
     const std::optional<Legs> legs = legs_of(drawn, dart);
-    if (legs && (dart.draft->trued || legs_differ(*legs)) && !true_open_dart(*legs, dart)) {
+    // A slit in a chart is redrawn when it is developed.
+    if (legs && !draft.chart && (dart.draft->trued || legs_differ(*legs)) && !true_open_dart(*legs, dart)) {
       findings.error(
           "E0331", fmt::format("dart {} cannot be trued", quoted(dart.name)),
           {{dart.draft->written, fmt::format("legs of {} and {}", in_cm(legs->loop[legs->left].curve.length()),

@@ -5,9 +5,9 @@
 
 namespace toile {
 
-/// The S-mesh of a garment's P-mesh as it is, strict or not; topology and worn lines not yet filled in. Where an edge has
-/// more than two wings, those come first that the seam itself joins, not a layer of it or a pleat: bending acts between
-/// the first two.
+/// The S-mesh of a garment's P-mesh as it is, strict or not; topology and worn lines not yet filled in. Where an edge
+/// has more than two wings, those come first that the seam itself joins, not a layer of it or a pleat: bending acts
+/// between the first two.
 SMesh glue(const Garment& garment, const PMesh& mesh);
 
 }  // namespace toile

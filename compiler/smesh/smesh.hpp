@@ -36,8 +36,8 @@ struct SMesh {
     std::array<int, 2> vertices{};  // smaller first
     std::vector<Wing> wings;
     int seam = -1;  // index of the seam it lies on, or -1
-    /// [rad] by which the cloth is creased there, as pleats are pressed: the angle between its normals at rest, positive
-    /// for a ridge seen from the right side.
+    /// [rad] by which the cloth is creased there, as pleats are pressed: the angle between its normals at rest,
+    /// positive for a ridge seen from the right side.
     double crease = 0;
   };
   std::vector<Edge> edges;                         // sorted by vertices

@@ -73,6 +73,7 @@ Table table_of(Kind kind) {
     case Kind::Parameter:
       return Table::Parameter;
     case Kind::Drape:
+    case Kind::Develop:
     case Kind::Render:
     case Kind::Export:
     case Kind::Print:

@@ -170,6 +170,22 @@ void build(CLI::App& app, Arguments& arguments) {
   drape.add_option("--report", arguments.report, "write the report as JSON")->type_name("R.json");
   solve_options(drape, arguments);
 
+  CLI::App& develop = subcommand(
+      app, arguments, Task::Develop, "develop", "Develop a garment that is drawn on a body to its flat pattern",
+      "toile develop bodice.toile -o pattern.toile -o pattern.svg --report bodice.report.json");
+  script_file(develop, arguments);
+  develop.add_option("--garment", arguments.garment, "which garment; by default that of the first develop command")
+      ->type_name("NAME");
+  develop
+      .add_option("-o", arguments.outputs,
+                  "a file: .toile, .svg, .json, .obj, .ply or .glb; may be given several times")
+      ->type_name("F")
+      ->expected(1)
+      ->take_all();
+  develop.add_option("--report", arguments.report, "write the report as JSON")->type_name("R.json");
+  develop.add_option("--profile", arguments.profile, "write timings and memory as JSON")->type_name("P.json");
+  triangles_option(develop, arguments);
+
   CLI::App& render = subcommand(app, arguments, Task::Render, "render", "Make a picture, draping first",
                                 "toile render skirt.toile -o strain.png --from front --show strain.warp");
   script_file(render, arguments);

@@ -58,6 +58,9 @@ void carry_out(Workroom& workroom, const Arguments& arguments) {
       return (arguments.sewing ? draft_sewing : draft)(workroom, arguments.garment, arguments.outputs.front());
     case Task::Drape:
       return drape_once(workroom, drape_request(arguments));
+    case Task::Develop:
+      return develop_once(workroom,
+                          {arguments.garment, {arguments.outputs.begin(), arguments.outputs.end()}, arguments.report});
     case Task::Render: {
       DrapeRequest drape = drape_request(arguments);
       drape.files.clear();

@@ -15,4 +15,8 @@ std::optional<int> choose_garment(Workroom& workroom, const std::string& name);
 /// from there being only one. Evaluates commands up to that one.
 std::optional<DrapeCommand> choose_drape(Workroom& workroom, const std::string& garment, const std::string& body);
 
+/// The development of that garment, or of the script's first develop command, or of its only garment that is drawn on a
+/// body.
+std::optional<DevelopCommand> choose_development(Workroom& workroom, const std::string& garment);
+
 }  // namespace toile

@@ -7,6 +7,8 @@
 #include "compiler/pattern/pattern.hpp"
 #include "compiler/smesh/smesh.hpp"
 #include "runtime/body/body.hpp"
+#include "runtime/develop/form_distance.hpp"
+#include "runtime/develop/redraw.hpp"
 #include "runtime/drape/drape.hpp"
 #include "runtime/export/export.hpp"
 #include "runtime/mesh/cloth.hpp"
@@ -32,8 +34,19 @@ struct Draped {
   std::shared_ptr<const MadeGarment> made;
   std::shared_ptr<const Body> body;  // null where the cloth floats
   Drape drape;
+  std::optional<FormDistance> form;  // of a developed pattern: from the form it was developed for
 
   DrapedGarment view() const { return {&made->garment, &made->mesh, &made->cloth, &drape}; }
+};
+
+/// A development: the pattern, and the cloth cut by it as it lies on the form.
+struct Developed {
+  std::shared_ptr<const MadeGarment> drawn;  // in the charts
+  Development development;
+  Redrawn redrawn;
+  Garment pattern;  // as redrawn
+  int drapes = 0;   // that the pattern was corrected by
+  Draped on_form;   // the developed mesh in the places where it was drawn: residual strains
 };
 
 }  // namespace toile

@@ -56,6 +56,23 @@ void drape_once(Workroom& workroom, const DrapeRequest& request) {
   if (!request.report.empty()) workroom.write(request.report, report_json(workroom.script(), draped->view()));
 }
 
+void develop_once(Workroom& workroom, const DevelopRequest& request) {
+  for (const std::filesystem::path& file : request.files) {
+    if (is_development_file(file)) continue;
+    return workroom.wrong_usage(
+        fmt::format("{} is no kind of file for a development", file.string()),
+        fmt::format("give a name that ends in .toile, {}, {}", pattern_endings(), drape_endings()));
+  }
+  const std::optional<DevelopCommand> command = choose_development(workroom, request.garment);
+  if (!command) return;
+  const std::optional<Developed> developed = workroom.develop(*command);
+  if (!developed) return;
+  for (const std::filesystem::path& file : request.files) {
+    workroom.write(file, *development_file(file, *developed, workroom.script()));
+  }
+  if (!request.report.empty()) workroom.write(request.report, development_report(*developed, workroom.script()));
+}
+
 void render_once(Workroom& workroom, const RenderRequest& request) {
   const std::optional<View> view = view_named(request.view);
   if (!view) {

@@ -3,6 +3,7 @@
 #include <array>
 #include <utility>
 
+#include "runtime/export/pattern_text.hpp"
 #include "runtime/report/report.hpp"
 
 namespace toile {
@@ -67,6 +68,20 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
   return writer == nullptr ? std::nullopt : std::optional(writer(draped, script));
 }
 
+std::string development_report(const Developed& developed, const std::string& script) {
+  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn);
+}
+
+std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
+                                            const std::string& script) {
+  if (ends_with(path, ".toile")) {
+    return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string());
+  }
+  if (ends_with(path, ".report.json")) return development_report(developed, script);
+  if (auto pattern = pattern_file(path, developed.pattern)) return pattern;
+  return drape_file(path, developed.on_form, script);
+}
+
 std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment) {
   const PatternWriter writer = writer_for(pattern_writers, path);
   return writer == nullptr ? std::nullopt : std::optional(writer(garment));
@@ -76,8 +91,13 @@ std::optional<std::string> sewing_file(const std::filesystem::path& path, const 
   const PatternWriter writer = writer_for(sewing_writers, path);
   return writer == nullptr ? std::nullopt : std::optional(writer(garment));
 }
+
 std::string sewing_endings() {
   return listed(sewing_writers);
+}
+
+bool is_development_file(const std::filesystem::path& path) {
+  return ends_with(path, ".toile") || is_pattern_file(path) || is_drape_file(path);
 }
 
 std::string drape_endings() {

@@ -112,6 +112,14 @@ Result result_of(const Draped& draped) {
   result["bounds.depth"] = bounds.high.y - bounds.low.y;
   result["bounds.low"] = bounds.low.z;
   result["bounds.high"] = bounds.high.z;
+  if (draped.form) {
+    for (const auto& [name, spread] : {std::pair("distance", draped.form->distance), {"slip", draped.form->slip}}) {
+      const std::string prefix = std::string("form.") + name;
+      result[prefix + ".mean"] = spread.mean;
+      result[prefix + ".p95"] = spread.p95;
+      result[prefix + ".max"] = spread.max;
+    }
+  }
   return result;
 }
 

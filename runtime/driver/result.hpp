@@ -8,4 +8,7 @@ namespace toile {
 
 Result result_of(const Draped& draped);
 
+/// The same of a development: the names of development_schema().
+Result result_of(const Developed& developed);
+
 }  // namespace toile

@@ -16,13 +16,26 @@ class Execution {
   explicit Execution(Workroom& workroom) : workroom_(workroom) {}
 
   void operator()(const DrapeCommand& command) {
-    std::optional<Draped> draped = workroom_.drape(command);
+    std::optional<Draped> draped = command.developed.empty()
+                                       ? workroom_.drape(command)
+                                       : workroom_.drape(command, developments_.at(command.developed));
     if (!draped) {
       stopped_ = true;  // what follows may ask for the result
       return;
     }
     workroom_.program().give(result_of(*draped));
     results_.insert_or_assign(command.name, *std::move(draped));
+  }
+
+  void operator()(const DevelopCommand& command) {
+    std::optional<Developed> developed = workroom_.develop(command);
+    if (!developed) {
+      stopped_ = true;
+      return;
+    }
+    workroom_.program().give(result_of(*developed));
+    results_.insert_or_assign(command.name, developed->on_form);
+    developments_.insert_or_assign(command.name, *std::move(developed));
   }
 
   void operator()(const RenderCommand& command) {
@@ -40,9 +53,12 @@ class Execution {
   }
 
   void operator()(const ExportCommand& command) {
+    const auto development = developments_.find(command.result);
     const std::optional<std::string> bytes =
         command.garment ? pattern_file(command.path, workroom_.program().garments()[garment(command)])
-                        : drape_file(command.path, results_.at(command.result), workroom_.script());
+        : development != developments_.end()
+            ? development_file(command.path, development->second, workroom_.script())
+            : drape_file(command.path, results_.at(command.result), workroom_.script());
     if (!bytes) {
       return refuse("E0503", command.written,
                     fmt::format("\"{}\" is no kind of file that this can be exported to", command.path),
@@ -78,7 +94,8 @@ class Execution {
   }
 
   Workroom& workroom_;
-  std::map<std::string, Draped> results_;
+  std::map<std::string, Draped> results_;  // of a development the cloth on its form
+  std::map<std::string, Developed> developments_;
   bool stopped_ = false;
 };
 

@@ -38,6 +38,14 @@ struct DrapeRequest {
 };
 void drape_once(Workroom& workroom, const DrapeRequest& request);
 
+/// What `toile develop` is asked for; without a garment the script's first develop command is meant.
+struct DevelopRequest {
+  std::string garment;
+  std::vector<std::filesystem::path> files;
+  std::filesystem::path report;  // empty: none
+};
+void develop_once(Workroom& workroom, const DevelopRequest& request);
+
 struct RenderRequest {
   DrapeRequest drape;
   std::filesystem::path file;

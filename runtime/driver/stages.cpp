@@ -44,6 +44,9 @@ void check_meshes(Workroom& workroom) {
   for (int garment = 0; garment < garments; ++garment) {
     const std::shared_ptr<const MadeGarment> made = workroom.make(garment);
     if (!made) return;
+    if (const auto body = workroom.body_called(made->garment.drawn_on, made->garment.written)) {
+      if (!workroom.target(*made, *body)) continue;
+    }
     const Topology& topology = made->mesh.s.topology;
     workroom.listener().noted(fmt::format(
         "{}: {}, {}; sewn: components {}, boundary loops {}, Euler characteristic {}, {}{}", made->garment.name,

@@ -53,6 +53,15 @@ class Workroom {
   std::shared_ptr<const MadeGarment> make(int garment);
   /// Places and solves; nullopt when that is not possible or was interrupted, which has then been said.
   std::optional<Draped> drape(const DrapeCommand& command);
+  /// The same for the pattern of a development, from the form on which it was drawn.
+  std::optional<Draped> drape(const DrapeCommand& command, const Developed& developed);
+
+  /// Where the pieces of a garment that is drawn on a body lie on it; nullopt where they do not, which has been said.
+  std::optional<Target> target(const MadeGarment& made, const Body& body);
+  /// The body of that name among the script's; null when it has none or it cannot be made.
+  std::shared_ptr<const Body> body_called(const std::string& name, Location wanted);
+  /// The flat pattern of a garment that is drawn on a body; nullopt as for drape().
+  std::optional<Developed> develop(const DevelopCommand& command);
 
   /// Writes a whole file unless interrupted.
   void write(const std::filesystem::path& wanted, const std::string& bytes);
@@ -71,9 +80,15 @@ class Workroom {
 
  private:
   void pass_on_diagnostics();
+  std::shared_ptr<const Body> body(int number, Location wanted);
+  void flatten_to(const Target& target, Developed& developed);
+  void correct(const DevelopCommand& command, const Target& form, Developed& developed);
+  std::optional<Draped> drape_on_form(const DrapeCommand& command, const Developed& developed, const Target& form);
+  void note_development(const DevelopCommand& command, const Developed& developed);
   std::optional<FabricSheet> replacement_fabric();
   /// The meshes that draping begins on, the coarsest first.
   const std::vector<CoarseGarment>& coarse(int garment, const MadeGarment& made);
+  DrapeOptions drape_options(const DrapeCommand& command) const;
   void note_drape(const DrapeCommand& command, const Draped& draped);
 
   WorkroomOptions options_;

@@ -79,25 +79,33 @@ std::vector<ArrangedPiece> arranged(const Garment& garment) {
 }
 
 }  // namespace
+std::shared_ptr<const Body> Workroom::body(int number, Location wanted) {
+  std::string error;
+  std::shared_ptr<const Body> body = world_->body(program_->bodies()[static_cast<std::size_t>(number)], error);
+  if (!body) {
+    diagnose(at_place(Severity::Error, "E0407", wanted, "this body cannot be made: " + error, "needed here"));
+  }
+  return body;
+}
+
+DrapeOptions Workroom::drape_options(const DrapeCommand& command) const {
+  DrapeOptions options;
+  options.accuracy = options_.accuracy.value_or(command.accuracy.value_or(options.accuracy));
+  options.solver = options_.solver;
+  options.threads = options_.threads;
+  options.gravity = command.body >= 0;
+  return options;
+}
 
 std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   Draped draped;
   draped.made = make(command.garment);
   if (!draped.made) return std::nullopt;
   if (command.body >= 0) {
-    std::string error;
-    draped.body = world_->body(program_->bodies()[static_cast<std::size_t>(command.body)], error);
-    if (!draped.body) {
-      diagnose(
-          at_place(Severity::Error, "E0407", command.written, "this body cannot be made: " + error, "needed here"));
-      return std::nullopt;
-    }
+    draped.body = body(command.body, command.written);
+    if (!draped.body) return std::nullopt;
   }
-  DrapeOptions options;
-  options.accuracy = options_.accuracy.value_or(command.accuracy.value_or(options.accuracy));
-  options.solver = options_.solver;
-  options.threads = options_.threads;
-  options.gravity = draped.body != nullptr;
+  const DrapeOptions options = drape_options(command);
   std::vector<DrapeLevel> levels;
   for (const CoarseGarment& level : coarse(command.garment, *draped.made))
     levels.push_back({&level.mesh, &level.cloth});

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/develop/redraw.hpp"
 #include "runtime/export/json_layout.hpp"
 #include "runtime/report/summary.hpp"
 
@@ -69,6 +70,18 @@ Json contact(const Contact& contact) {
            {{"mean", contact.pressure_Pa.mean}, {"p95", contact.pressure_Pa.p95}, {"max", contact.pressure_Pa.max}}}};
 }
 
+Json darts(const DrapedGarment& on_form, const Development& development) {
+  Json all = Json::array();
+  for (std::size_t p = 0; p < on_form.garment->pieces.size(); ++p) {
+    const Piece& piece = on_form.garment->pieces[p];
+    for (const Dart& dart : piece.darts) {
+      const OpenedDart opened = opened_dart(on_form.mesh->p, static_cast<int>(p), dart, development);
+      all.push_back({{"piece", piece.name}, {"dart", dart.name}, {"width_m", opened.width}, {"leg_m", opened.leg}});
+    }
+  }
+  return all;
+}
+
 std::string text(const Json& root) {
   return laid_out(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
@@ -87,6 +100,34 @@ std::string report_json(const std::string& script, const DrapedGarment& draped) 
                {"shape", {{"folds", summary.folds}, {"projected_area_m2", summary.projected_area_m2}}},
                {"strain", json(summary.strain)},
                {"stress_N_per_m", json(summary.stress_N_per_m)}});
+}
+
+std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
+                        const Redrawn& redrawn) {
+  const Summary summary = summarise(on_form);
+  const Flattened& flat = development.flat;
+  return text({{"schema", 1},
+               {"script", script},
+               {"garment", on_form.garment->name},
+               {"mesh", mesh(summary)},
+               {"solve",
+                {{"converged", flat.converged},
+                 {"iterations", flat.iterations},
+                 {"residual_N", flat.residual_N},
+                 {"residual_relative", flat.residual_relative}}},
+               {"develop",
+                {{"area_2d_m2", flat.area},
+                 {"area_3d_m2", flat.target_area},
+                 {"energy_J",
+                  {{"stretch_warp", flat.energy.warp},
+                   {"stretch_weft", flat.energy.weft},
+                   {"shear", flat.energy.shear},
+                   {"total", flat.energy.warp + flat.energy.weft + flat.energy.shear}}},
+                 {"residual_strain", json(summary.strain)},
+                 {"flipped_triangles", flat.flipped},
+                 {"seam_mismatch_m", flat.mismatch},
+                 {"outline_error_m", redrawn.error},
+                 {"darts", darts(on_form, development)}}}});
 }
 
 std::string profile_json(const Profile& profile) {

@@ -7,7 +7,14 @@
 
 namespace toile {
 
+struct Development;
+struct Redrawn;
+
 std::string report_json(const std::string& script, const DrapedGarment& draped);
+
+/// The same of a development: the cloth as it lies on its form, and what came out of flattening it.
+std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
+                        const Redrawn& redrawn);
 
 struct Profile {
   double compile_s = 0, mesh_s = 0, place_s = 0, solve_s = 0, total_s = 0, cpu_s = 0;

@@ -281,6 +281,19 @@ TEST(Statement, Commands) {
   EXPECT_EQ(script(script.only<Expect>().condition()), "worn.x < 1%");
 }
 
+TEST(Statement, PiecesDrawnOnABodyAndTheirDevelopment) {
+  const Script script(
+      "garment g {\n  piece back on form.waist = front with { }\n}\ndevelop g as flat until within 3mm\ndevelop g");
+  const auto piece = script.in_garment<Piece>();
+  EXPECT_EQ(script(piece.on()), "form.waist");
+  EXPECT_EQ(script(piece.base()), "front");
+  const auto develops = all<Develop>(script.file());
+  EXPECT_EQ(script(develops.at(0).garment()), "g");
+  EXPECT_EQ(script(develops.at(0).name()), "flat");
+  EXPECT_EQ(script(develops.at(0).within()), "3mm");
+  EXPECT_FALSE(develops.at(1).name());
+}
+
 TEST(Statement, SolveStandsOverLines) {
   const Script script("solve h in 8cm..20cm, w in a..b\n  so length(cap(h)) = x + 2cm,\n     (h, w) = p");
   const auto solve = script.only<Solve>();

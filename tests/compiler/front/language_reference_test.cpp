@@ -47,9 +47,11 @@ TEST(LanguageReference, EveryExampleRuns) {
     if (example.expected.empty()) {
       EXPECT_TRUE(script.program->diagnostics().empty());
       Result result;
-      for (const auto& [name, unit] : result_schema()) result[name] = 0.5;
+      for (const auto& [name, unit] : form_drape_schema()) result[name] = 0.5;
+      for (const auto& [name, unit] : development_schema()) result[name] = 0.5;
       while (const auto command = script.program->next()) {
         if (std::holds_alternative<DrapeCommand>(*command)) script.program->give(result);
+        if (std::holds_alternative<DevelopCommand>(*command)) script.program->give(result);
       }
       EXPECT_TRUE(script.program->ok());
     } else {

@@ -53,7 +53,7 @@ inline DraftPiece paired(DraftPiece piece) {
 }
 
 inline DraftDart dart(std::string name, std::string edge_name, double at, double width, double depth) {
-  return {std::move(name), std::move(edge_name), at, width, depth, next_place()};
+  return {std::move(name), std::move(edge_name), at, width, depth, next_place(), {}};
 }
 
 /// "front.side", "front.side.mirrored", "front.side.drawn", "front.eye.rim" or "front.eye.rim.mirrored".

@@ -47,7 +47,7 @@ TEST(PlacedPleats, LieInThreeLayersOfWhichTheMiddleOneIsTurnedOver) {
   const std::shared_ptr<const Body> body = Body::make(body_of(sample_form()), nullptr);
   ASSERT_TRUE(body);
   const std::vector<Worn> worn{{&mesh.s.worn[0], "waist", true, 0}};
-  const Placed placed = place(mesh, cloth, worn, body.get());
+  const Placed placed = place(mesh, cloth, worn, {}, body.get());
   ASSERT_EQ(placed.error, "");
 
   int turned = 0, under = 0, outwards = 0, others = 0;

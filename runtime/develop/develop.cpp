@@ -1,0 +1,146 @@
+#include "runtime/develop/develop.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/mesh/index.hpp"
+
+namespace toile {
+namespace {
+
+/// How much longer than in the chart a piece is on the body, along x and along y of the chart, in the mean.
+struct Scale {
+  double x = 1, y = 1;
+  Vec2 operator()(Vec2 p) const { return {x * p.x, y * p.y}; }
+};
+
+/// A frame of warp and weft in the drawing of a piece.
+struct Frame {
+  Vec2 warp;
+  Vec2 into(Vec2 p) const { return {dot(p, warp), dot(p, perpendicular(warp))}; }
+  Vec2 back(Vec2 uv) const { return uv.x * warp + uv.y * perpendicular(warp); }
+};
+
+class Developing {
+ public:
+  Developing(const Garment& garment, const SewnMesh& mesh, Target target) : garment_(garment), mesh_(mesh) {
+    development_.target = std::move(target);
+  }
+
+  Development run(const FlattenOptions& options, const Job& job) {
+    find_scales();
+    fill_input();
+    for (int piece = 0; piece < piece_count(); ++piece) input_.grain.push_back(grain_of(piece));
+    match_seams();
+    const FabricLaw law = make_law(garment_.fabric);
+    development_.flat = flatten(input_, law, options, job);
+    for (std::size_t p = 0; p < mesh_.p.points.size(); ++p) {
+      development_.points.push_back(frames_[index(mesh_.p.piece_of_point[p])].back(development_.flat.uv[p]));
+    }
+    for (const Frame& frame : frames_) development_.warp_of_piece.push_back(frame.warp);
+    return std::move(development_);
+  }
+
+ private:
+  int piece_count() const { return static_cast<int>(garment_.pieces.size()); }
+  const std::vector<Vec2>& chart() const { return development_.target.chart; }
+  Vec3 target(int point) const { return development_.target.positions[index(mesh_.s.s_of_p[index(point)])]; }
+
+  void find_scales() {
+    std::vector<std::array<double, 3>> sums(garment_.pieces.size(), {0, 0, 0});
+    for (std::size_t t = 0; t < mesh_.p.triangles.size(); ++t) {
+      const std::array<int, 3>& corners = mesh_.p.triangles[t];
+      const MembraneShape shape =
+          membrane_shape({chart()[index(corners[0])], chart()[index(corners[1])], chart()[index(corners[2])]});
+      Vec3 fx, fy;
+      for (std::size_t i = 0; i < 3; ++i) {
+        fx += shape.du[i] * target(corners[i]);
+        fy += shape.dv[i] * target(corners[i]);
+      }
+      std::array<double, 3>& sum = sums[index(mesh_.p.piece_of_triangle[t])];
+      sum = {sum[0] + shape.area * norm(fx), sum[1] + shape.area * norm(fy), sum[2] + shape.area};
+    }
+    for (std::size_t i = 0; i < sums.size(); ++i) {
+      scales_.push_back({sums[i][0] / sums[i][2], sums[i][1] / sums[i][2]});
+      const Vec2 warp = scales_.back()(mesh_.p.warp_of_piece[i]);
+      frames_.push_back({warp / norm(warp)});
+    }
+  }
+
+  void fill_input() {
+    input_.triangles = mesh_.p.triangles;
+    for (std::size_t p = 0; p < mesh_.p.points.size(); ++p) {
+      const std::size_t piece = index(mesh_.p.piece_of_point[p]);
+      input_.target.push_back(target(static_cast<int>(p)));
+      input_.start.push_back(frames_[piece].into(scales_[piece](chart()[p])));
+    }
+  }
+
+  FlatteningInput::GrainLine grain_of(int number) const {
+    std::vector<int> outline;
+    for (const PMesh::EdgeNodes& edge : mesh_.p.edge_nodes[index(number)]) {
+      outline.insert(outline.end(), edge.points.begin(), edge.points.end() - 1);
+    }
+    const Piece& piece = garment_.pieces[index(number)];
+    if (!piece.fold || std::abs(cross(piece.fold->to - piece.fold->from, piece.warp)) > 1e-6) {
+      return grain_line(input_.start, outline);
+    }
+    const auto nearest = [&](Vec2 place) {
+      return *std::min_element(outline.begin(), outline.end(), [&](int a, int b) {
+        return distance(mesh_.p.points[index(a)], place) < distance(mesh_.p.points[index(b)], place);
+      });
+    };
+    return {nearest(piece.fold->from), nearest(piece.fold->to)};  // the fold stays straight
+  }
+
+  void match_seams() {
+    for (std::size_t s = 0; s < garment_.seams.size(); ++s) {
+      const Seam& seam = garment_.seams[s];
+      for (const PMesh::SewnRun& run : mesh_.p.sewn[s]) {
+        for (std::size_t i = 0; i + 1 < run.first.size(); ++i) {
+          LengthMatch match{{run.first[i], run.first[i + 1]}, {run.second[i], run.second[i + 1]}};
+          match.length = std::max(distance(target(match.first[0]), target(match.first[1])), 1e-6);
+          match.seam = static_cast<int>(s);
+          const bool same = match.first == match.second;
+          if (!same && seam.fullness == Seam::Fullness::None) input_.matches.push_back(match);
+        }
+      }
+    }
+  }
+
+  const Garment& garment_;
+  const SewnMesh& mesh_;
+  std::vector<Scale> scales_;
+  std::vector<Frame> frames_;
+  FlatteningInput input_;
+  Development development_;
+};
+
+}  // namespace
+
+Development develop(const Garment& garment, const SewnMesh& mesh, Target target, const FlattenOptions& options,
+                    const Job& job) {
+  return Developing(garment, mesh, std::move(target)).run(options, job);
+}
+
+OpenedDart opened_dart(const PMesh& mesh, int piece, const Dart& dart, const Development& development) {
+  const auto& edges = mesh.edge_nodes[index(piece)];
+  const std::vector<int>&left = edges[index(dart.left_leg)].points, &right = edges[index(dart.right_leg)].points;
+  const auto at = [&](int point) { return development.points[index(point)]; };
+  OpenedDart opened;
+  // One leg is walked to the tip and the other from it.
+  const bool left_first = left.back() == right.front();
+  opened.width =
+      left_first ? distance(at(left.front()), at(right.back())) : distance(at(left.back()), at(right.front()));
+  for (std::size_t i = 1; i < left.size(); ++i) opened.leg += distance(at(left[i - 1]), at(left[i]));
+  return opened;
+}
+
+SewnMesh developed_mesh(const SewnMesh& mesh, const Development& development) {
+  SewnMesh developed = mesh;
+  developed.p.points = development.points;
+  developed.p.warp_of_piece = development.warp_of_piece;
+  return developed;
+}
+
+}  // namespace toile

@@ -1,0 +1,355 @@
+#include "runtime/develop/flatten.hpp"
+
+#include <algorithm>
+#include <cmath>
+
+#include "runtime/develop/coarse_start.hpp"
+#include "runtime/develop/flattening.hpp"
+#include "runtime/develop/flips.hpp"
+#include "runtime/mesh/index.hpp"
+#include "runtime/solve/parallel.hpp"
+#include "runtime/solve/sparse.hpp"
+
+namespace toile {
+namespace {
+
+constexpr int most_halvings = 40;    // of a step that does not lower the energy
+constexpr double first_match = 10;   // stiffness of a match over that of a strip of cloth as wide as the pattern
+constexpr int most_stiffenings = 6;  // tenfold each
+constexpr double near_rest = 1e-3;   // relative residual below which the true Hessian is tried first
+
+constexpr double least_share_of_grain = 0.7;  // of a piece's extent along the warp that its grain line spans
+
+TargetTriangle speck() {
+  constexpr double side = 1e-6;  // [m]
+  return *target_triangle({Vec3{0, 0, 0}, Vec3{side, 0, 0}, Vec3{0, side, 0}});
+}
+
+class Flattening {
+ public:
+  Flattening(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options)
+      : input_(input), law_(law), options_(options), matrix_(reduced(input), elements(input)) {
+    for (std::size_t t = 0; t < input.triangles.size(); ++t) {
+      const auto corner = [&](std::size_t i) { return input.target[index(input.triangles[t][i])]; };
+      // What has no area in space has no place in the plane either: a speck stands for it.
+      targets_.push_back(target_triangle({corner(0), corner(1), corner(2)}).value_or(speck()));
+      triangle_places_.push_back(matrix_.places(unknowns(input.triangles[t])));
+    }
+    for (const LengthMatch& match : input.matches) match_places_.push_back(matrix_.places(unknowns(match)));
+    q_ = Vector(2 * static_cast<Eigen::Index>(input.start.size()));
+    const std::vector<Vec2> start = coarse_start(input, law);
+    for (std::size_t i = 0; i < start.size(); ++i) {
+      q_[2 * static_cast<Eigen::Index>(i)] = start[i].x;
+      q_[2 * static_cast<Eigen::Index>(i) + 1] = start[i].y;
+    }
+    stiffness_ = 0.5 * (law.warp.initial_stiffness() + law.weft.initial_stiffness());
+    double area = 0;
+    for (const TargetTriangle& target : targets_) area += target.area;
+    const double count = std::max<double>(1, static_cast<double>(targets_.size()));
+    force_scale_ = stiffness_ * std::sqrt(4 / std::sqrt(3.0) * area / count);
+    match_stiffness_ = first_match * stiffness_ * std::sqrt(area);
+    cholesky_.analyse(matrix_);
+  }
+
+  Flattened run(const Job& job) {
+    for (int round = 0;; ++round) {
+      minimise(job);
+      if (cancelled_ || largest_mismatch() <= options_.length_tolerance || round == most_stiffenings) break;
+      match_stiffness_ *= 10;
+    }
+    return result();
+  }
+
+ private:
+  template <std::size_t N>
+  static std::vector<int> unknowns_of(const std::array<int, N>& points) {
+    std::vector<int> all;
+    for (const int point : points) {
+      all.push_back(2 * point);
+      all.push_back(2 * point + 1);
+    }
+    return all;
+  }
+  static std::vector<int> unknowns(const std::array<int, 3>& triangle) { return unknowns_of(triangle); }
+  static std::array<int, 4> points_of(const LengthMatch& match) {
+    return {match.first[0], match.first[1], match.second[0], match.second[1]};
+  }
+  /// Sides that meet at the tip of a dart share a point: each unknown once, the places by `spread`.
+  static std::vector<int> unknowns(const LengthMatch& match) {
+    std::vector<int> all;
+    for (const int unknown : unknowns_of(points_of(match))) {
+      if (std::find(all.begin(), all.end(), unknown) == all.end()) all.push_back(unknown);
+    }
+    return all;
+  }
+
+  static std::vector<int> reduced(const FlatteningInput& input) {
+    std::vector<int> reduced(2 * input.start.size(), 0);
+    for (const FlatteningInput::GrainLine& line : input.grain) {
+      reduced[index(2 * line.from)] = reduced[index(2 * line.from + 1)] = -1;
+      reduced[index(2 * line.to + 1)] = -1;
+    }
+    int next = 0;
+    for (int& r : reduced) {
+      if (r == 0) r = next++;
+    }
+    return reduced;
+  }
+  static std::vector<std::vector<int>> elements(const FlatteningInput& input) {
+    std::vector<std::vector<int>> elements;
+    for (const auto& triangle : input.triangles) elements.push_back(unknowns(triangle));
+    for (const LengthMatch& match : input.matches) elements.push_back(unknowns(match));
+    return elements;
+  }
+
+  static Vec2 at(const Vector& q, int point) { return {q[2 * point], q[2 * point + 1]}; }
+  PlaneCorners corners(const Vector& q, std::size_t t) const {
+    const std::array<int, 3>& triangle = input_.triangles[t];
+    return {at(q, triangle[0]), at(q, triangle[1]), at(q, triangle[2])};
+  }
+  Mismatch mismatch_of(const LengthMatch& match, const Vector& q) const {
+    return mismatch(match,
+                    {at(q, match.first[0]), at(q, match.first[1]), at(q, match.second[0]), at(q, match.second[1])});
+  }
+
+  double energy(const Vector& q, Vector* gradient) const;
+  bool assemble(Curvature curvature, double lift);
+  void add_matches(Curvature curvature);
+  bool factorise(double residual);
+  double longest_step(const Vector& step) const;
+  double residual_force(const Vector& gradient) const;
+  void minimise(const Job& job);
+  double largest_mismatch() const;
+  Flattened result() const;
+
+  const FlatteningInput& input_;
+  const FabricLaw& law_;
+  const FlattenOptions& options_;
+  SparseMatrix matrix_;
+  Cholesky cholesky_;
+  std::vector<TargetTriangle> targets_;
+  std::vector<std::vector<std::int32_t>> triangle_places_, match_places_;
+  Vector q_;
+  double stiffness_ = 0, force_scale_ = 0, match_stiffness_ = 0;
+  double residual_ = 0;  // [N]
+  int iterations_ = 0;
+  bool converged_ = false, cancelled_ = false;
+};
+
+double Flattening::energy(const Vector& q, Vector* gradient) const {
+  std::vector<double> energies(input_.triangles.size());
+  std::vector<Vector6> slopes(gradient != nullptr ? energies.size() : 0);
+  parallel_for(energies.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      const MembraneEnergy parts =
+          flattening_energy(law_, targets_[t], corners(q, t), gradient != nullptr ? &slopes[t] : nullptr);
+      energies[t] = parts.warp + parts.weft + parts.shear;
+    }
+  });
+  double sum = 0;
+  for (const double each : energies) sum += each;
+  if (gradient != nullptr) {
+    gradient->setZero(q.size());
+    for (std::size_t t = 0; t < slopes.size(); ++t) {
+      for (int i = 0; i < 3; ++i) {
+        gradient->segment<2>(2 * input_.triangles[t][static_cast<std::size_t>(i)]) += slopes[t].segment<2>(2 * i);
+      }
+    }
+  }
+  for (const LengthMatch& match : input_.matches) {
+    const Mismatch m = mismatch_of(match, q);
+    const double k = match_stiffness_ / match.length;
+    sum += 0.5 * k * m.value * m.value;
+    if (gradient == nullptr) continue;
+    const std::array<int, 4> points = points_of(match);
+    for (int i = 0; i < 4; ++i) {
+      gradient->segment<2>(2 * points[static_cast<std::size_t>(i)]) += k * m.value * m.gradient.segment<2>(2 * i);
+    }
+  }
+  if (gradient != nullptr) {
+    for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
+      if (matrix_.reduced()[i] < 0) (*gradient)[static_cast<Eigen::Index>(i)] = 0;
+    }
+  }
+  return sum;
+}
+
+void Flattening::add_matches(Curvature curvature) {
+  for (std::size_t m = 0; m < input_.matches.size(); ++m) {
+    const LengthMatch& match = input_.matches[m];
+    const Mismatch found = mismatch_of(match, q_);
+    Matrix8 hessian = found.gradient * found.gradient.transpose();
+    if (curvature == Curvature::Full) hessian += found.value * found.hessian;
+    hessian *= match_stiffness_ / match.length;
+    const std::vector<int> each = unknowns_of(points_of(match)), once = unknowns(match);
+    const auto row = [&](int unknown) {
+      return static_cast<std::size_t>(std::find(once.begin(), once.end(), unknown) - once.begin());
+    };
+    for (std::size_t i = 0; i < each.size(); ++i) {
+      for (std::size_t j = 0; j < each.size(); ++j) {
+        const std::size_t r = row(each[i]), c = row(each[j]);
+        if (r < c) continue;
+        const std::int32_t place = match_places_[m][r * (r + 1) / 2 + c];
+        if (place >= 0) matrix_.add_at(place, hessian(static_cast<int>(i), static_cast<int>(j)));
+      }
+    }
+  }
+}
+
+bool Flattening::assemble(Curvature curvature, double lift) {
+  std::vector<Matrix6> hessians(input_.triangles.size());
+  parallel_for(hessians.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) {
+      hessians[t] = flattening_hessian(law_, targets_[t], corners(q_, t), curvature);
+    }
+  });
+  matrix_.set_zero();
+  for (std::size_t t = 0; t < hessians.size(); ++t) {
+    std::size_t k = 0;
+    for (int i = 0; i < 6; ++i) {
+      for (int j = 0; j <= i; ++j, ++k) {
+        const std::int32_t place = triangle_places_[t][k];
+        if (place >= 0) matrix_.add_at(place, hessians[t](i, j));
+      }
+    }
+  }
+  add_matches(curvature);
+  const std::vector<double> ones(matrix_.reduced().size(), 1.0);
+  matrix_.add_diagonal(ones, lift * stiffness_);
+  return cholesky_.factorise(matrix_);
+}
+
+bool Flattening::factorise(double residual) {
+  if (residual < near_rest && assemble(Curvature::Full, 0)) return true;
+  for (double lift = 1e-12; lift < 1e3; lift *= 100) {
+    if (assemble(Curvature::PositiveDefinite, lift)) return true;
+  }
+  return false;
+}
+
+double Flattening::longest_step(const Vector& step) const {
+  double longest = 1;
+  for (std::size_t t = 0; t < input_.triangles.size(); ++t) {
+    longest = std::min(longest, step_before_flip(corners(q_, t), corners(step, t)));
+  }
+  return longest;
+}
+
+double Flattening::residual_force(const Vector& gradient) const {
+  double largest = 0;
+  for (Eigen::Index i = 0; i < gradient.size(); i += 2) {
+    largest = std::max(largest, gradient.segment<2>(i).norm());
+  }
+  return largest;
+}
+
+void Flattening::minimise(const Job& job) {
+  Vector gradient;
+  double now = energy(q_, &gradient);
+  const double first = residual_force(gradient);
+  converged_ = false;
+  for (int round = 0; round < options_.max_iterations; ++round, ++iterations_) {
+    residual_ = residual_force(gradient);
+    converged_ = residual_ <= options_.tolerance * force_scale_;
+    cancelled_ = job.is_cancelled();
+    if (converged_ || cancelled_) return;
+    if (job.report) {
+      const double goal = options_.tolerance * force_scale_;
+      const double way = std::log(std::max(first / goal, 1 + 1e-9));
+      job.report({"developing", std::clamp(1 - std::log(std::max(residual_ / goal, 1.0)) / way, 0.0, 1.0), iterations_,
+                  residual_ / force_scale_});
+    }
+    if (!factorise(residual_ / force_scale_)) return;
+    Vector right(matrix_.rows());
+    for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
+      if (matrix_.reduced()[i] >= 0) right[matrix_.reduced()[i]] = -gradient[static_cast<Eigen::Index>(i)];
+    }
+    const Vector solution = cholesky_.solve(right);
+    Vector step = Vector::Zero(q_.size());
+    for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
+      if (matrix_.reduced()[i] >= 0) step[static_cast<Eigen::Index>(i)] = solution[matrix_.reduced()[i]];
+    }
+    const double slope = gradient.dot(step);
+    if (!(slope < 0)) return;
+    const double noise = 1e-14 * std::abs(now);
+    double fraction = longest_step(step);
+    bool lowered = false;
+    for (int halving = 0; halving < most_halvings && !lowered; ++halving, fraction *= 0.5) {
+      const Vector trial = q_ + fraction * step;
+      const double then = energy(trial, nullptr);
+      if (!std::isfinite(then) || then > now + 1e-4 * fraction * slope + noise) continue;
+      lowered = true;
+      q_ = trial;
+    }
+    if (!lowered) return;
+    now = energy(q_, &gradient);
+  }
+}
+
+double Flattening::largest_mismatch() const {
+  std::vector<double> sums;
+  for (const LengthMatch& match : input_.matches) {
+    if (index(match.seam) >= sums.size()) sums.resize(index(match.seam) + 1, 0.0);
+    sums[index(match.seam)] += mismatch_of(match, q_).value;
+  }
+  double largest = 0;
+  for (const double sum : sums) largest = std::max(largest, std::abs(sum));
+  return largest;
+}
+
+Flattened Flattening::result() const {
+  Flattened flat;
+  for (int i = 0; i < static_cast<int>(input_.start.size()); ++i) flat.uv.push_back(at(q_, i));
+  for (std::size_t t = 0; t < input_.triangles.size(); ++t) {
+    const PlaneCorners uv = corners(q_, t);
+    const MembraneEnergy parts = flattening_energy(law_, targets_[t], uv, nullptr);
+    flat.energy.warp += parts.warp;
+    flat.energy.weft += parts.weft;
+    flat.energy.shear += parts.shear;
+    flat.strains.push_back(flattening_strain(targets_[t], uv));
+    flat.area += 0.5 * turn(uv);
+    flat.target_area += targets_[t].area;
+    if (!(turn(uv) > 0)) ++flat.flipped;
+  }
+  flat.mismatch = largest_mismatch();
+  flat.converged = converged_ && flat.mismatch <= options_.length_tolerance;
+  flat.cancelled = cancelled_;
+  flat.iterations = iterations_;
+  flat.factorisations = cholesky_.factorisations();
+  flat.residual_N = residual_;
+  flat.residual_relative = residual_ / force_scale_;
+  return flat;
+}
+
+}  // namespace
+
+FlatteningInput::GrainLine grain_line(const std::vector<Vec2>& start, const std::vector<int>& outline) {
+  double low = 1e300, high = -1e300, middle = 0;
+  for (const int point : outline) {
+    const Vec2 place = start[index(point)];
+    low = std::min(low, place.x);
+    high = std::max(high, place.x);
+    middle += place.y / static_cast<double>(outline.size());
+  }
+  FlatteningInput::GrainLine best{outline.front(), outline.back()};
+  double least = 1e300;
+  for (const int a : outline) {
+    for (const int b : outline) {
+      const Vec2 way = start[index(b)] - start[index(a)];
+      if (way.x < least_share_of_grain * (high - low)) continue;
+      const double aside = 0.5 * (start[index(a)].y + start[index(b)].y) - middle;
+      const double crooked = std::abs(way.y) / way.x + 1e-3 * std::abs(aside) / (high - low);
+      if (crooked < least) {
+        least = crooked;
+        best = {a, b};
+      }
+    }
+  }
+  return best;
+}
+
+Flattened flatten(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options, const Job& job) {
+  return Flattening(input, law, options).run(job);
+}
+
+}  // namespace toile

@@ -1,0 +1,42 @@
+#include "runtime/driver/result.hpp"
+#include "runtime/report/summary.hpp"
+
+namespace toile {
+
+Result result_of(const Developed& developed) {
+  const Flattened& flat = developed.development.flat;
+  const Summary summary = summarise(developed.on_form.view());
+  Result result;
+  result["mesh.triangles"] = summary.topology.triangles;
+  result["mesh.vertices"] = summary.topology.vertices;
+  result["mesh.edges"] = summary.topology.edges;
+  result["mesh.boundary_loops"] = summary.topology.boundary_loops;
+  result["mesh.components"] = summary.topology.components;
+  result["mesh.euler"] = summary.topology.euler;
+  result["mesh.orientable"] = summary.topology.orientable ? 1 : 0;
+  result["solve.converged"] = flat.converged ? 1 : 0;
+  result["solve.iterations"] = flat.iterations;
+  result["solve.flipped"] = flat.flipped;
+  result["solve.drapes"] = developed.drapes;
+  result["solve.residual"] = flat.residual_N;
+  result["solve.residual_relative"] = flat.residual_relative;
+  result["energy.stretch_warp"] = flat.energy.warp;
+  result["energy.stretch_weft"] = flat.energy.weft;
+  result["energy.shear"] = flat.energy.shear;
+  result["energy.total"] = flat.energy.warp + flat.energy.weft + flat.energy.shear;
+  const auto add = [&](const std::string& name, const Spread& spread) {
+    result["strain." + name + ".min"] = spread.min;
+    result["strain." + name + ".mean"] = spread.mean;
+    result["strain." + name + ".p95"] = spread.p95;
+    result["strain." + name + ".max"] = spread.max;
+  };
+  add("warp", summary.strain.warp);
+  add("weft", summary.strain.weft);
+  add("shear", summary.strain.shear);
+  result["area"] = flat.area;
+  result["target_area"] = flat.target_area;
+  result["seams.mismatch"] = flat.mismatch;
+  return result;
+}
+
+}  // namespace toile

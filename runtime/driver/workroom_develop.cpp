@@ -1,0 +1,202 @@
+// From a garment that is drawn on a body to its flat pattern.
+#include <fmt/format.h>
+
+#include <algorithm>
+
+#include "compiler/pattern/draft.hpp"
+#include "runtime/driver/stopwatch.hpp"
+#include "runtime/driver/workroom.hpp"
+#include "runtime/fabric/law.hpp"
+
+namespace toile {
+namespace {
+
+constexpr double outline_tolerance = 0.0002;  // [m] of the redrawn edges
+constexpr int most_corrections = 8;
+constexpr double worth_going_on = 1.5;  // a miss larger than the least so far by this factor ends the corrections
+
+/// What the development leaves in the cloth where it lies on the form, in the words of a drape.
+Drape residual_drape(const Developed& developed, const FabricLaw& law) {
+  const Flattened& flat = developed.development.flat;
+  Drape drape;
+  drape.positions = developed.development.target.positions;
+  drape.converged = flat.converged;
+  drape.iterations = flat.iterations;
+  drape.residual_N = flat.residual_N;
+  drape.residual_relative = flat.residual_relative;
+  drape.energy.stretch_warp = flat.energy.warp;
+  drape.energy.stretch_weft = flat.energy.weft;
+  drape.energy.shear = flat.energy.shear;
+  for (const MembraneStrain& strain : flat.strains) {
+    drape.strain_warp.push_back(strain.warp);
+    drape.strain_weft.push_back(strain.weft);
+    drape.shear_angle.push_back(strain.shear);
+    drape.stress_warp.push_back(law.warp(strain.warp).force);
+    drape.stress_weft.push_back(law.weft(strain.weft).force);
+    drape.stress_shear.push_back(law.shear(strain.shear).force);
+  }
+  const std::vector<double> none(flat.strains.size(), 0.0);
+  drape.curvature_warp = drape.curvature_weft = drape.twist = none;
+  drape.pressure.assign(drape.positions.size(), 0.0);
+  drape.edge_rotations.assign(developed.drawn->mesh.s.edges.size(), 0.0);
+  return drape;
+}
+
+/// Where the cloth stands off the form it is next cut for one that lies deeper by as much.
+void aim_beyond(const Target& form, const Draped& draped, Target& aim) {
+  for (std::size_t v = 0; v < aim.positions.size(); ++v) {
+    const auto surface = draped.body->nearest(form.positions[v], 0.1);
+    if (!surface) continue;
+    const double off = dot(draped.drape.positions[v] - form.positions[v], surface->normal);
+    aim.positions[v] += -std::max(off, 0.0) * surface->normal;
+  }
+}
+
+}  // namespace
+
+std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
+  Developed developed;
+  developed.drawn = make(command.garment);
+  if (!developed.drawn) return std::nullopt;
+  developed.on_form.body = body(command.body, command.written);
+  if (!developed.on_form.body) return std::nullopt;
+  const Garment& garment = developed.drawn->garment;
+  const std::optional<Target> form = target(*developed.drawn, *developed.on_form.body);
+  if (!form) return std::nullopt;
+  flatten_to(*form, developed);
+  if (command.within && !interrupted()) correct(command, *form, developed);
+  if (interrupted()) return std::nullopt;
+
+  developed.redrawn = redraw(garment, developed.drawn->mesh, developed.development, outline_tolerance);
+  std::vector<Diagnostic> found;
+  developed.pattern = make_garment(developed.redrawn.draft, found);
+  for (const Diagnostic& diagnostic : found) {
+    diagnose(at_place(Severity::Warning, "W0515", command.written,
+                      "the developed pattern cannot be cut as it is: " + diagnostic.message, "developed here",
+                      "where the form is a saddle a dart does not open: leave it out, or end it elsewhere"));
+  }
+  note_development(command, developed);
+  return developed;
+}
+
+std::optional<Target> Workroom::target(const MadeGarment& made, const Body& body) {
+  Target target = find_target(made.garment, made.mesh, body);
+  for (const Target::Trouble& trouble : target.troubles) {
+    diagnose(at_place(Severity::Error, "E0512", trouble.written, trouble.message, "drawn here", trouble.help));
+  }
+  if (!target.troubles.empty()) return std::nullopt;
+  return target;
+}
+
+std::shared_ptr<const Body> Workroom::body_called(const std::string& name, Location wanted) {
+  const std::vector<BodySpec>& bodies = program_->bodies();
+  for (std::size_t i = 0; i < bodies.size(); ++i) {
+    if (bodies[i].name == name) return body(static_cast<int>(i), wanted);
+  }
+  return nullptr;
+}
+
+void Workroom::flatten_to(const Target& target, Developed& developed) {
+  const Garment& garment = developed.drawn->garment;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    developed.development = toile::develop(garment, developed.drawn->mesh, target, {}, job_);
+  }
+  profile_.factorisations += developed.development.flat.factorisations;
+  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
+  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
+  flat->cloth = make_cloth(flat->mesh);
+  developed.on_form.made = flat;
+  developed.on_form.drape = residual_drape(developed, make_law(garment.fabric));
+}
+
+// What the cloth misses the form by is added to what it is cut for, again and again, as dies are corrected for the
+// spring-back of the sheet (Gan & Wagoner 2004).
+void Workroom::correct(const DevelopCommand& command, const Target& form, Developed& developed) {
+  Target aim = form;
+  Developed best = developed;
+  double least = 1e300;
+  DrapeCommand draping;
+  draping.garment = command.garment;
+  draping.body = command.body;
+  for (int round = 1; round <= most_corrections; ++round) {
+    const std::optional<Draped> draped = drape_on_form(draping, developed, form);
+    if (!draped) return;
+    const double miss = draped->form->distance.p95;
+    listener_->noted(fmt::format("{}: drape {}: 95 % within {:.2f} mm of the form", developed.drawn->garment.name,
+                                 round, 1000 * miss));
+    const bool better = miss < least;
+    const bool hopeless = miss > worth_going_on * least;
+    if (better) {
+      least = miss;
+      best = developed;
+    }
+    best.drapes = round;
+    if (miss <= *command.within || hopeless || round == most_corrections) break;
+    aim_beyond(form, *draped, aim);
+    flatten_to(aim, developed);
+  }
+  developed = std::move(best);
+  if (least <= *command.within) return;
+  outcome_.unsettled = true;
+  diagnose(at_place(Severity::Warning, "W0514", command.written,
+                    fmt::format("no pattern was found that {} takes this form by: 95 % of the cloth come within {:.1f} "
+                                "mm of it, not {:.1f} mm",
+                                developed.drawn->garment.name, 1000 * least, 1000 * *command.within),
+                    "developed here",
+                    "cloth that is draped cannot follow hollows: hold or sew it there, or ask for less"));
+}
+
+std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const Developed& developed,
+                                              const Target& form) {
+  Draped draped;
+  draped.made = developed.on_form.made;
+  draped.body = developed.on_form.body;
+  const MadeGarment& made = *draped.made;
+  const Placed start =
+      start_on_form(made.mesh.s, made.garment.wears, form, *draped.body, make_law(made.garment.fabric).thickness / 2);
+  DrapeOptions options = drape_options(command);
+  options.carried_over = true;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    draped.drape = toile::drape(made.cloth, made.garment.fabric, draped.body.get(), start, options, job_);
+  }
+  profile_.factorisations += draped.drape.factorisations;
+  if (interrupted()) return std::nullopt;
+  draped.form = form_distance(made.mesh.s, start.positions, draped.drape.positions, made.cloth.area_of_vertex);
+  return draped;
+}
+
+std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Developed& developed) {
+  std::optional<Draped> draped = drape_on_form(
+      command, developed, find_target(developed.drawn->garment, developed.drawn->mesh, *developed.on_form.body));
+  if (!draped) return std::nullopt;
+  note_drape(command, *draped);
+  const Spread& distance = draped->form->distance;
+  listener_->noted(fmt::format("{} from its form: mean {:.2f} mm, 95 % {:.2f} mm, at most {:.2f} mm",
+                               draped->made->garment.name, 1000 * distance.mean, 1000 * distance.p95,
+                               1000 * distance.max));
+  return draped;
+}
+
+void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {
+  const Flattened& flat = developed.development.flat;
+  listener_->noted(fmt::format(
+      "{} developed: {} triangles, {} iterations, darts: {}, energy {:.3g} J; sides of seams agree to {:.3f} mm, "
+      "outlines redrawn to {:.2f} mm",
+      developed.drawn->garment.name, flat.strains.size(), flat.iterations,
+      [&] {
+        std::size_t darts = 0;
+        for (const Piece& piece : developed.drawn->garment.pieces) darts += piece.darts.size();
+        return darts;
+      }(),
+      flat.energy.warp + flat.energy.weft + flat.energy.shear, 1000 * flat.mismatch, 1000 * developed.redrawn.error));
+  if (flat.converged) return;
+  outcome_.unsettled = true;
+  diagnose(at_place(Severity::Warning, "W0513", command.written,
+                    fmt::format("the development of {} did not come to rest: {:.1e} of the force of a strain is left",
+                                developed.drawn->garment.name, flat.residual_relative),
+                    "developed here"));
+}
+
+}  // namespace toile

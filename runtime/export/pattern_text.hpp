@@ -1,0 +1,14 @@
+// A developed pattern as the text of a script, for a person to go on with.
+#pragma once
+
+#include <string>
+
+#include "runtime/develop/redraw.hpp"
+
+namespace toile {
+
+/// One garment with its cloth; what it cannot say of the original (where it is worn) is left out. `source` names the
+/// script that it was developed by. In the layout of no one: `toile fmt` makes it that.
+std::string pattern_text(const Redrawn& redrawn, const std::string& source);
+
+}  // namespace toile
