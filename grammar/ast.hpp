@@ -11,6 +11,7 @@
 // - Texts are not in the tree: source.slice(view.span()), string_value(), number_value() take the source.
 #pragma once
 
+#include "grammar/ast_commands.hpp"
 #include "grammar/ast_expressions.hpp"
 
 namespace toile::syntax {
@@ -356,49 +357,6 @@ struct Arrange : ViewOf<Kind::Arrange> {
   std::optional<Token> piece() const { return after<Token>(*this, Kind::KwArrange); }
   std::optional<Expr> place() const { return after<Expr>(*this, Kind::KwAt); }
   std::optional<Expr> turn() const { return after<Expr>(*this, Kind::KwTurned); }
-};
-
-// ------------------------------------------------------------------------------------------------------- commands
-
-/// drape skirt on form as worn to 1e-6
-struct Drape : ViewOf<Kind::Drape> {
-  std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDrape); }
-  std::optional<Expr> body() const { return after<Expr>(*this, Kind::KwOn); }
-  std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
-  std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }
-};
-
-/// develop bodice as flat until within 3mm
-struct Develop : ViewOf<Kind::Develop> {
-  std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDevelop); }
-  std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
-  std::optional<Expr> within() const { return after<Expr>(*this, Kind::KwWithin); }
-};
-
-/// word() is KwFrom with names() of one view, KwShowing with the dotted names() of a field, or KwPixels with sizes().
-struct RenderOption : ViewOf<Kind::RenderOption> {
-  std::optional<Token> word() const { return child<Token>(*this); }
-  std::vector<Token> names() const;
-  std::vector<Expr> sizes() const { return all<Expr>(*this); }
-};
-
-struct Render : ViewOf<Kind::Render> {
-  std::optional<Expr> subject() const { return after<Expr>(*this, Kind::KwRender); }
-  std::optional<Expr> path() const { return after<Expr>(*this, Kind::KwTo); }
-  std::vector<RenderOption> options() const { return all<RenderOption>(*this); }
-};
-
-struct Export : ViewOf<Kind::Export> {
-  std::optional<Expr> subject() const { return after<Expr>(*this, Kind::KwExport); }
-  std::optional<Expr> path() const { return after<Expr>(*this, Kind::KwTo); }
-};
-
-struct Print : ViewOf<Kind::Print> {
-  std::vector<Expr> values() const { return all<Expr>(*this); }
-};
-
-struct Expect : ViewOf<Kind::Expect> {
-  std::optional<Expr> condition() const { return child<Expr>(*this); }
 };
 
 }  // namespace toile::syntax

@@ -145,11 +145,11 @@ class DetailReader {
       }
     }
     for (const syntax::Flag& flag : dart.flags()) read_flag(flag, made);
+    if (draft_.chart) return read_slit(std::move(made), placed, sizes, dart.span());
     if (sizes.has("tip") && sizes.has("depth")) {
       session_.report.add(Problem("E0102", "a dart has a `depth` or a `tip`").at(made.written));
       return fail();
     }
-    if (draft_.chart) return read_slit(std::move(made), placed, sizes, dart.span());
     const bool deep = !dart.inside() && !sizes.has("tip");
     const std::string help = dart.inside() ? "dart from (10cm, 9cm) to (10cm, -12cm) { width 2.5cm }"
                                            : "dart at 50% of waist { width 2.5cm, depth 9cm }";

@@ -1,6 +1,9 @@
 // The evaluated patterns as stable text: what `toile compile --emit pattern` prints and golden files hold.
 #include <fmt/format.h>
 
+#include <array>
+#include <cmath>
+
 #include "compiler/evaluate/program.hpp"
 #include "compiler/units/format.hpp"
 
@@ -131,9 +134,10 @@ void emit_garment(std::string& out, const Garment& garment) {
     out += fmt::format("  wear {} at {} {} from {}\n", chain(wear.chain, garment), wear.line,
                        wear.held ? "held" : "placed", format_number(wear.from, 9));
   }
-  const auto triple = [](const std::array<double, 3>& v, double scale) {
-    return fmt::format("({}, {}, {})", format_number(scale * v[0], 6), format_number(scale * v[1], 6),
-                       format_number(scale * v[2], 6));
+  // Sines and cosines that should be 0 are not quite.
+  const auto plain = [](double value) { return format_number(std::round(value * 1e9) / 1e9 + 0.0, 6); };
+  const auto triple = [&](const std::array<double, 3>& v, double scale) {
+    return fmt::format("({}, {}, {})", plain(scale * v[0]), plain(scale * v[1]), plain(scale * v[2]));
   };
   for (const Arrangement& at : garment.arrangements) {
     out += fmt::format("  arrange {} at {} across {} up {}\n", garment.pieces[static_cast<std::size_t>(at.piece)].name,

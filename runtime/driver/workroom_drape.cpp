@@ -140,7 +140,7 @@ void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
   }
   listener_->noted(line);
   if (result.crossing_pairs > 0) {
-    diagnose(at_place(Severity::Warning, "W0510", command.written,
+    diagnose(at_place(Severity::Warning, "W0516", command.written,
                       fmt::format("{} passes through itself: {} pairs of triangles cross", draped.made->garment.name,
                                   result.crossing_pairs),
                       "draped here",

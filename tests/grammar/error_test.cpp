@@ -92,7 +92,7 @@ TEST(Errors, SayWhatWasExpected) {
   EXPECT_THAT(expected("garment g { piece p { outline from p { a = loop } } }"),
               ElementsAre("`along`", "`arc`", "`bezier`", "`circle`", "`curve`", "`line`"));
   EXPECT_THAT(expected("garment g { seam }"),
-              ElementsAre("`fn`", "`let`", "`param`", "`piece`", "`sew`", "`solve`", "`wear`"));
+              ElementsAre("`arrange`", "`fn`", "`let`", "`param`", "`piece`", "`sew`", "`solve`", "`wear`"));
 }
 
 TEST(Errors, AStatementThatBreaksOffIsWrongAtItsEnd) {
