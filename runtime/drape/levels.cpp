@@ -13,7 +13,8 @@ constexpr double coarse_accuracy = 1e-2;  // of every level but the last
 // Of the forces of elongation and shear, a level: folds of a coarse mesh lock in dimples with all of them
 // (docs/mechanics.md).
 constexpr double coarse_membrane = 0.1;
-constexpr double coarse_gap = 0.15;  // of the mean edge: a finer mesh fits between layers that far apart
+constexpr double coarse_gap = 0.15;     // of the mean edge: a finer mesh fits between layers that far apart
+constexpr int coarse_iterations = 200;  // a start for the next level need not be at rest
 constexpr int coarsest_triangles = 250;
 constexpr int ratio = 4;  // of the triangles of neighbouring levels
 
@@ -47,9 +48,12 @@ std::vector<double> level_edges(double finest_edge, int triangles) {
   return edges;
 }
 
-DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
+DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vector<Wear>& wears,
                           const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
                           const DrapeOptions& options, const Job& job) {
+  std::vector<DrapeLevel> levels = meshes;
+  // Pieces that are arranged start far from rest: a mesh without a coarser one goes first as its own, softened.
+  if (levels.size() == 1 && !arranged.empty()) levels.push_back(levels.front());
   DrapedLevels result;
   int iterations = 0, factorisations = 0;
   for (std::size_t level = 0; level < levels.size(); ++level) {
@@ -73,6 +77,7 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vect
     if (level + 1 < levels.size()) {
       own.accuracy = std::max(options.accuracy, coarse_accuracy);
       own.membrane = std::pow(coarse_membrane, static_cast<double>(levels.size() - 1 - level));
+      own.max_iterations = std::min(options.max_iterations, coarse_iterations);
       own.least_gap = coarse_gap * mean_edge(*at.cloth);
     }
     const double ready = seconds();

@@ -19,9 +19,9 @@ struct DrapedLevels {
   double place_seconds = 0, solve_seconds = 0;
 };
 
-/// Places the coarsest mesh, drapes it, carries the form over to the next finer mesh, and so on. `levels`: at least
+/// Places the coarsest mesh, drapes it, carries the form over to the next finer mesh, and so on. `meshes`: at least
 /// one, coarse first.
-DrapedLevels drape_levels(const std::vector<DrapeLevel>& levels, const std::vector<Wear>& wears,
+DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vector<Wear>& wears,
                           const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
                           const DrapeOptions& options, const Job& job);
 

@@ -63,7 +63,8 @@ void place_arranged(const SewnMesh& mesh, const RestMesh& rest, const std::vecto
     positions[v] = sum / static_cast<double>(mesh.s.p_of_s[v].size());
   }
   for (const HungLine& line : hung) put_on_line(line.chain, free, positions);
-  relax(rest, free, closing_passes, body, standing_off, positions);
+  // Seams close by centimetres a pass at first: no vertex may get to the other side of an arm meanwhile.
+  relax(rest, free, closing_passes, body, standing_off, positions, 1);
   if (body != nullptr) push_out(rest, free, *body, standing_off, positions);
 }
 

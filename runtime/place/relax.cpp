@@ -20,8 +20,7 @@ void push_vertices(const std::vector<bool>& free, const Body& body, double clear
 }  // namespace
 
 void relax(const RestMesh& rest, const std::vector<bool>& free, int passes, const Body* body, double clearance,
-           std::vector<Vec3>& positions) {
-  constexpr int passes_between_pushes = 8;
+           std::vector<Vec3>& positions, int passes_between_pushes) {
   const auto& edges = rest.cloth().edges;
   std::vector<Vec3> shift(free.size());
   std::vector<int> edge_count(free.size(), 0);
