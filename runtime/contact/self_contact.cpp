@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "runtime/contact/advance.hpp"
 #include "runtime/mesh/index.hpp"
@@ -72,6 +73,12 @@ SelfContact::SelfContact(const Cloth& cloth, double gap, double pressure)
       area_of_edge_(edge_areas(cloth)),
       square_of_edge_(edge_squares(cloth)) {}
 
+void SelfContact::leave_out(std::vector<bool> vertices) {
+  left_out_ = std::move(vertices);
+  swept_from_.resize(0);
+  measured_at_.resize(0);
+}
+
 double SelfContact::gap_of(const Pair& pair) const {
   double gap = widest_gap_;
   for (const int v : pair.vertices) gap = std::min(gap, gap_[index(v)]);
@@ -95,6 +102,11 @@ void SelfContact::gather(const Vector& from, const Vector& to, double slack) con
   swept_to_ = to;
   slack_ = slack;
   neighbours_ = neighbours(cloth_, from, to, soon * widest_gap_ / 2 + slack);
+  if (!left_out_.empty()) {
+    std::erase_if(neighbours_, [&](const Pair& pair) {
+      return std::ranges::all_of(pair.vertices, [&](int v) { return left_out_[index(v)]; });
+    });
+  }
   measured_at_.resize(0);
 }
 

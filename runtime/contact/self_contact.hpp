@@ -21,6 +21,10 @@ class SelfContact : public Form {
   /// times of it press two layers to half their distance.
   SelfContact(const Cloth& cloth, double gap, double pressure);
 
+  /// Vertices about crossings that could not be undone: between them contact would keep the cloth crossed, and is left
+  /// out.
+  void leave_out(std::vector<bool> vertices);
+
   double energy(const Vector& q, Vector* gradient) const override;
   void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
   double free_fraction(const Vector& q, const Vector& step) const override;
@@ -59,6 +63,7 @@ class SelfContact : public Form {
   double pressure_;
   double widest_gap_;
   std::vector<double> gap_;             // [m] per vertex
+  std::vector<bool> left_out_;          // per vertex; empty: none
   std::vector<double> area_of_edge_;    // [m2]
   std::vector<double> square_of_edge_;  // [m2] of its length
   // Neighbours hold for every q between the two places, or within the slack of them.

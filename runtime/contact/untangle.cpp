@@ -12,6 +12,7 @@ namespace toile {
 namespace {
 
 constexpr int most_steps = 100;
+constexpr int rings_about_crossings = 3;
 
 /// Where an edge goes through a triangle, and how that place moves: a vertex moved by m moves it by w (m - e (n.m) /
 /// (n.e)) when it is of the edge, and by w e (n.m) / (n.e) when it is of the triangle.
@@ -123,6 +124,23 @@ Crossings crossings(const Cloth& cloth, const Vector& q) {
     add_segment(q, cloth.triangles[index(first)].vertices, cloth.triangles[index(second)].vertices, sum);
   }
   return sum;
+}
+
+std::vector<bool> about_crossings(const Cloth& cloth, const Vector& q) {
+  std::vector<bool> about(index(cloth.vertex_count), false);
+  for (const auto& pair : intersecting_triangles(cloth, positions(cloth, q))) {
+    for (const int triangle : pair) {
+      for (const int v : cloth.triangles[index(triangle)].vertices) about[index(v)] = true;
+    }
+  }
+  for (int ring = 0; ring < rings_about_crossings; ++ring) {
+    const std::vector<bool> inner = about;
+    for (const SMesh::Edge& edge : cloth.edges) {
+      const bool reached = inner[index(edge.vertices[0])] || inner[index(edge.vertices[1])];
+      for (const int v : edge.vertices) about[index(v)] = about[index(v)] || reached;
+    }
+  }
+  return about;
 }
 
 int untangle(const Cloth& cloth, const std::function<Vector(const Vector& force)>& readily, double longest,

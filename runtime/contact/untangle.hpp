@@ -25,4 +25,7 @@ Crossings crossings(const Cloth& cloth, const Vector& q);
 int untangle(const Cloth& cloth, const std::function<Vector(const Vector& force)>& readily, double longest,
              const Job& job, Vector& q);
 
+/// The vertices within three edges of a crossing.
+std::vector<bool> about_crossings(const Cloth& cloth, const Vector& q);
+
 }  // namespace toile

@@ -148,7 +148,8 @@ void Draping::untangle(const Job& job) {
     matrix_.add_diagonal(inertia(), untangling_rate);
     return cholesky_.factorise(matrix_) ? cholesky_.solve_free(matrix_, force) : force;
   };
-  toile::untangle(cloth_, readily, untangling_step * mean_edge(), job, q_);
+  const int left = toile::untangle(cloth_, readily, untangling_step * mean_edge(), job, q_);
+  if (left > 0) layers_.leave_out(about_crossings(cloth_, q_));
 }
 
 void Draping::fit(const Vector& q) {

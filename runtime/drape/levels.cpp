@@ -14,7 +14,7 @@ constexpr double coarse_accuracy = 1e-2;  // of every level but the last
 // (docs/mechanics.md).
 constexpr double coarse_membrane = 0.1;
 constexpr double coarse_gap = 0.15;     // of the mean edge: a finer mesh fits between layers that far apart
-constexpr int coarse_iterations = 200;  // a start for the next level need not be at rest
+constexpr int coarse_iterations = 400;  // a start for the next level need not be at rest
 constexpr int coarsest_triangles = 250;
 constexpr int ratio = 4;  // of the triangles of neighbouring levels
 
