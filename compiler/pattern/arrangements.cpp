@@ -1,26 +1,17 @@
 #include "compiler/pattern/arrangements.hpp"
 
 #include <array>
-#include <cmath>
 #include <cstddef>
+
+#include "compiler/curve/turn.hpp"
 
 namespace toile {
 namespace {
 
 using Triple = std::array<double, 3>;
 
-/// About the axis with that number, by the right-hand rule.
-Triple turned(Triple v, std::size_t axis, double angle) {
-  const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
-  const double c = std::cos(angle), s = std::sin(angle);
-  Triple w = v;
-  w[a] = c * v[a] - s * v[b];
-  w[b] = s * v[a] + c * v[b];
-  return w;
-}
-
 Triple turned(Triple v, const Triple& angles) {
-  for (std::size_t axis = 0; axis < 3; ++axis) v = turned(v, axis, angles[axis]);
+  for (std::size_t axis = 0; axis < 3; ++axis) v = toile::turned(v, axis, angles[axis]);
   return v;
 }
 

@@ -5,21 +5,14 @@
 #include <cstddef>
 #include <numbers>
 
+#include "compiler/curve/turn.hpp"
+
 namespace toile {
 namespace {
 
 using Triple = std::array<double, 3>;
 
 constexpr double degree = std::numbers::pi / 180;
-
-Triple turned(Triple v, std::size_t axis, double angle) {
-  const std::size_t a = (axis + 1) % 3, b = (axis + 2) % 3;
-  const double c = std::cos(angle), s = std::sin(angle);
-  Triple w = v;
-  w[a] = c * v[a] - s * v[b];
-  w[b] = s * v[a] + c * v[b];
-  return w;
-}
 
 /// The source's frame has y up and z to the front.
 Triple from_source(const Triple& v) {
