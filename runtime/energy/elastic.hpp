@@ -54,6 +54,10 @@ class ElasticForm : public Form {
 
   double energy(const Vector& q, Vector* gradient) const override;
   void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
+  /// Keeps the strains that the step leads to if it were linear. The stresses of those, not the ones that a finite turn
+  /// of the threads adds for a moment, make the Hessian at the step's end (after the mixed iteration of Magisano,
+  /// Leonetti and Garcea, 2017): steps along folds become several times longer.
+  void foresee(const Vector& q, const Vector& step) override;
   void accept(const Vector& q) override;
 
   ElasticParts parts(const Vector& q) const;
@@ -98,6 +102,7 @@ class ElasticForm : public Form {
   std::vector<std::vector<std::int32_t>> hinge_places_;
   std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
   std::vector<double> rotation_stiffness_;
+  std::vector<MembraneStrain> foreseen_;  // per triangle; empty before the first step
 };
 
 }  // namespace toile
