@@ -80,6 +80,8 @@ void solve_options(CLI::App& app, Arguments& arguments) {
                                                             {"okabe", DrapeOptions::Solver::Okabe}};
   app.add_option("--solver", arguments.solver, "newton, or okabe: the method of the paper of 1992")
       ->transform(CLI::CheckedTransformer(solvers).description("newton|okabe"));
+  app.add_flag("--warm", arguments.warm,
+               "start from the last drape of the garment that was made with --warm (kept in the user's cache)");
   app.add_option("--profile", arguments.profile, "write timings and memory as JSON")->type_name("P.json");
   triangles_option(app, arguments);
 }

@@ -36,6 +36,7 @@ struct Arguments {
   std::string garment, body, fabric;
   std::optional<double> accuracy;
   DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
+  bool warm = false;
   std::string stage;                 // `compile`
   bool sewing = false;               // `draft`
   std::vector<std::string> outputs;  // -o

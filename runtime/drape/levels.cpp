@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <chrono>
 #include <cmath>
+#include <utility>
 
 #include "runtime/drape/carry_over.hpp"
 
@@ -15,6 +16,7 @@ constexpr double coarse_accuracy = 1e-2;  // of every level but the last
 constexpr double coarse_membrane = 0.1;
 constexpr double coarse_gap = 0.15;     // of the mean edge: a finer mesh fits between layers that far apart
 constexpr int coarse_iterations = 400;  // a start for the next level need not be at rest
+constexpr int iterations_near_rest = 200;
 constexpr int coarsest_triangles = 250;
 constexpr int ratio = 4;  // of the triangles of neighbouring levels
 
@@ -34,6 +36,14 @@ double mean_edge(const Cloth& cloth) {
 
 double seconds() {
   return std::chrono::duration<double>(std::chrono::steady_clock::now().time_since_epoch()).count();
+}
+
+/// Another form for the placed cloth; held vertices stay where they were placed.
+void move_to(std::vector<Vec3> form, Placed& placed) {
+  for (const int held : placed.held) {
+    form[static_cast<std::size_t>(held)] = placed.positions[static_cast<std::size_t>(held)];
+  }
+  placed.positions = std::move(form);
 }
 
 }  // namespace
@@ -64,14 +74,7 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vect
     if (!result.error.empty()) return result;
     DrapeOptions own = options;
     own.carried_over = level > 0;
-    if (level > 0) {
-      // Held vertices stay where they were placed.
-      std::vector<Vec3> carried = carry_over(*levels[level - 1].mesh, result.drape.positions, *at.mesh);
-      for (const int held : placed.held) {
-        carried[static_cast<std::size_t>(held)] = placed.positions[static_cast<std::size_t>(held)];
-      }
-      placed.positions = std::move(carried);
-    }
+    if (level > 0) move_to(carry_over(*levels[level - 1].mesh, result.drape.positions, *at.mesh), placed);
     // What is held somewhere is shaken free of accidental creases first: friction would keep them.
     own.friction = options.friction && (level + 1 == levels.size() || placed.held.empty());
     if (level + 1 < levels.size()) {
@@ -96,6 +99,25 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vect
   }
   result.drape.iterations = iterations;
   result.drape.factorisations = factorisations;
+  return result;
+}
+
+DrapedLevels drape_from(const std::vector<Vec3>& start, const DrapeLevel& mesh, const std::vector<Wear>& wears,
+                        const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
+                        const DrapeOptions& options, const Job& job) {
+  DrapedLevels result;
+  const double started = seconds();
+  Placed placed = place(*mesh.mesh, *mesh.cloth, worn_lines(*mesh.mesh, wears), arranged, body);
+  result.error = placed.error;
+  if (!result.error.empty()) return result;
+  move_to(start, placed);
+  DrapeOptions own = options;
+  own.carried_over = true;
+  own.max_iterations = std::min(options.max_iterations, iterations_near_rest);
+  const double ready = seconds();
+  result.drape = drape(*mesh.cloth, fabric, body, placed, own, job);
+  result.place_seconds = ready - started;
+  result.solve_seconds = seconds() - ready;
   return result;
 }
 

@@ -10,6 +10,8 @@
 #include <vector>
 
 #include "compiler/evaluate/program.hpp"
+#include "runtime/drape/levels.hpp"
+#include "runtime/driver/drape_store.hpp"
 #include "runtime/driver/draped.hpp"
 #include "runtime/driver/listener.hpp"
 #include "runtime/driver/outcome.hpp"
@@ -28,7 +30,8 @@ struct WorkroomOptions {
   std::optional<double> accuracy;     // overrides the script's
   std::optional<std::string> fabric;  // a Toile expression that replaces the garment's cloth
   DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
-  int threads = 0;  // 0: as many as there are
+  int threads = 0;    // 0: as many as there are
+  bool warm = false;  // drapes start from the last one of their garment, and are kept for the next
 };
 
 class Workroom {
@@ -89,6 +92,11 @@ class Workroom {
   /// The meshes that draping begins on, the coarsest first.
   const std::vector<CoarseGarment>& coarse(int garment, const MadeGarment& made);
   DrapeOptions drape_options(const DrapeCommand& command) const;
+  /// From the placed pieces, through the coarse meshes.
+  DrapedLevels drape_cold(const DrapeCommand& command, const Draped& draped);
+  /// From the drape kept last; nullopt when there is none of such pieces or it leads to no rest.
+  std::optional<DrapedLevels> drape_warm(const DrapeCommand& command, const Draped& draped);
+  std::string warm_key(const Draped& draped) const;
   void note_drape(const DrapeCommand& command, const Draped& draped);
 
   WorkroomOptions options_;
@@ -101,6 +109,7 @@ class Workroom {
   std::size_t passed_on_ = 0;
   std::map<int, std::shared_ptr<const MadeGarment>> made_;
   std::map<int, std::vector<CoarseGarment>> coarse_;
+  DrapeStore kept_{DrapeStore::usual_folder()};
   Outcome outcome_;
   Profile profile_;
 };

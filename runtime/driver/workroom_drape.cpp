@@ -1,7 +1,6 @@
 // From a garment of the program to its drape: mesh, sew, place, solve.
 #include <fmt/format.h>
 
-#include "runtime/drape/levels.hpp"
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
 
@@ -105,14 +104,8 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
     draped.body = body(command.body, command.written);
     if (!draped.body) return std::nullopt;
   }
-  const DrapeOptions options = drape_options(command);
-  std::vector<DrapeLevel> levels;
-  for (const CoarseGarment& level : coarse(command.garment, *draped.made))
-    levels.push_back({&level.mesh, &level.cloth});
-  levels.push_back({&draped.made->mesh, &draped.made->cloth});
-  const Garment& garment = draped.made->garment;
-  DrapedLevels result =
-      drape_levels(levels, garment.wears, arranged(garment), garment.fabric, draped.body.get(), options, job_);
+  std::optional<DrapedLevels> warm = options_.warm ? drape_warm(command, draped) : std::nullopt;
+  DrapedLevels result = warm ? *std::move(warm) : drape_cold(command, draped);
   profile_.place_s += result.place_seconds;
   profile_.solve_s += result.solve_seconds;
   if (!result.error.empty()) {
@@ -123,8 +116,40 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   draped.drape = std::move(result.drape);
   profile_.factorisations += draped.drape.factorisations;
   if (interrupted()) return std::nullopt;
+  if (options_.warm && draped.drape.converged) {
+    kept_.keep(warm_key(draped), keep(draped.made->garment, draped.made->mesh, draped.drape.positions));
+  }
   note_drape(command, draped);
   return draped;
+}
+
+DrapedLevels Workroom::drape_cold(const DrapeCommand& command, const Draped& draped) {
+  std::vector<DrapeLevel> levels;
+  for (const CoarseGarment& level : coarse(command.garment, *draped.made))
+    levels.push_back({&level.mesh, &level.cloth});
+  levels.push_back({&draped.made->mesh, &draped.made->cloth});
+  const Garment& garment = draped.made->garment;
+  return drape_levels(levels, garment.wears, arranged(garment), garment.fabric, draped.body.get(),
+                      drape_options(command), job_);
+}
+
+std::string Workroom::warm_key(const Draped& draped) const {
+  std::error_code none;
+  const std::filesystem::path script = std::filesystem::absolute(script_, none);
+  return fmt::format("{}\n{}\n{}\n{}", script.lexically_normal().string(), draped.made->garment.name,
+                     draped.body ? draped.body->spec().name : "", options_.size);
+}
+
+std::optional<DrapedLevels> Workroom::drape_warm(const DrapeCommand& command, const Draped& draped) {
+  const std::optional<KeptDrape> kept = kept_.find(warm_key(draped));
+  if (!kept) return std::nullopt;
+  const Garment& garment = draped.made->garment;
+  const std::optional<std::vector<Vec3>> start = start_from(*kept, garment, draped.made->mesh);
+  if (!start) return std::nullopt;
+  DrapedLevels result = drape_from(*start, {&draped.made->mesh, &draped.made->cloth}, garment.wears, arranged(garment),
+                                   garment.fabric, draped.body.get(), drape_options(command), job_);
+  if (!result.drape.converged && !result.drape.cancelled) return std::nullopt;
+  return result;
 }
 
 void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
