@@ -15,6 +15,10 @@ constexpr int longest_pause = 8;                          // iterations
 // A step may raise the energy, but not above the highest of so many (Grippo, Lampariello and Lucidi, 1986): what a long
 // step along a fold stretches, the next one takes back.
 constexpr std::size_t remembered = 5;
+// Where the highest of the latest falls by less than this share of their spread, steps go to and fro, and for a while
+// each has to lower the energy.
+constexpr double least_fall = 0.1;
+constexpr int careful_steps = 10;
 
 /// One run of Newton's method.
 class Newton {
@@ -33,6 +37,8 @@ class Newton {
   /// The accepted fraction of the step, 0 when none does.
   double search(const Vector& step);
   double free_fraction(const Vector& step) const;
+  double highest_of_latest() const;
+  void remember();
   /// Doubles an accepted step while the energy goes on falling.
   void lengthen(const Vector& step, double energy, double slope);
   void settle();
@@ -44,7 +50,8 @@ class Newton {
   Vector& q_;
   Vector gradient_;
   double energy_ = 0;
-  std::deque<double> energies_;  // the latest ones
+  std::deque<double> energies_;  // the latest ones, twice as many as may be climbed to
+  int careful_ = 0;              // steps that have to lower the energy
   double rate_ = 0;
   double lift_ = 0;                 // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
   int pause_ = 0, next_pause_ = 1;  // iterations without trying it
@@ -118,7 +125,7 @@ double Newton::free_fraction(const Vector& step) const {
 double Newton::search(const Vector& step) {
   const double slope = gradient_.dot(step);
   if (!(slope < 0)) return 0;
-  const double highest = *std::max_element(energies_.begin(), energies_.end()) + 1e-13 * std::abs(energy_);
+  const double highest = (careful_ > 0 ? energy_ : highest_of_latest()) + 1e-13 * std::abs(energy_);
   const double free = free_fraction(step);
   for (int halvings = 0; halvings <= most_halvings; ++halvings) {
     const double fraction = std::ldexp(free, -halvings);
@@ -152,8 +159,24 @@ void Newton::lengthen(const Vector& step, double energy, double slope) {
 void Newton::settle() {
   for (Form* form : problem_.forms) form->accept(q_);
   energy_ = evaluate(q_, &gradient_);
+  remember();
+}
+
+double Newton::highest_of_latest() const {
+  const auto latest = static_cast<std::ptrdiff_t>(std::min(energies_.size(), remembered));
+  return *std::max_element(energies_.end() - latest, energies_.end());
+}
+
+void Newton::remember() {
   energies_.push_back(energy_);
-  if (energies_.size() > remembered) energies_.pop_front();
+  careful_ = std::max(careful_ - 1, 0);
+  if (energies_.size() <= 2 * remembered) return;
+  energies_.pop_front();
+  const auto middle = energies_.begin() + remembered;
+  const double before = *std::max_element(energies_.begin(), middle), now = highest_of_latest();
+  if (careful_ == 0 && before - now < least_fall * (now - *std::min_element(middle, energies_.end()))) {
+    careful_ = careful_steps;
+  }
 }
 
 void Newton::adapt(double fraction) {
