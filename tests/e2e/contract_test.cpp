@@ -2,6 +2,9 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <filesystem>
+#include <nlohmann/json.hpp>
+
 #include "tests/e2e/call.hpp"
 
 namespace toile {
@@ -181,6 +184,33 @@ TEST_F(Contract, ThreadsDoNotChangeAByte) {
   }
   EXPECT_EQ(call.scratch.read("1.ply"), call.scratch.read("2.ply"));
   EXPECT_EQ(call.scratch.read("1.json"), call.scratch.read("2.json"));
+}
+
+TEST_F(Contract, WarmGoesOnFromTheLastDrapeAndColdDoesNot) {
+  const auto drape = [&](const std::string& more, const std::string& size = "50cm") {
+    return call.toile("drape cloth.toile --triangles 600 -o c.ply --report r.json --set size=" + size + " " + more,
+                      "env XDG_CACHE_HOME=cache");
+  };
+  const auto iterations = [&] {
+    return nlohmann::json::parse(call.scratch.read("r.json"))["solve"]["iterations"].get<int>();
+  };
+  ASSERT_EQ(drape("").exit_code, 0);
+  const int cold = iterations();
+  const std::string bytes = call.scratch.read("c.ply");
+  EXPECT_FALSE(std::filesystem::exists(call.scratch / "cache")) << "nothing is kept unasked";
+
+  ASSERT_EQ(drape("--warm").exit_code, 0);
+  EXPECT_EQ(call.scratch.read("c.ply"), bytes) << "the first one has nothing to start from";
+  ASSERT_EQ(drape("--warm", "51cm").exit_code, 0);
+  EXPECT_LT(iterations(), cold);
+  ASSERT_EQ(drape("").exit_code, 0);
+  EXPECT_EQ(call.scratch.read("c.ply"), bytes);
+
+  for (const auto& kept : std::filesystem::recursive_directory_iterator(call.scratch / "cache")) {
+    if (kept.is_regular_file()) std::filesystem::resize_file(kept.path(), 100);
+  }
+  ASSERT_EQ(drape("--warm").exit_code, 0);
+  EXPECT_EQ(call.scratch.read("c.ply"), bytes) << "a damaged one is none";
 }
 
 TEST_F(Contract, GoldenTestsCloseWithACount) {
