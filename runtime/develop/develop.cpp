@@ -21,6 +21,15 @@ struct Frame {
   Vec2 back(Vec2 uv) const { return uv.x * warp + uv.y * perpendicular(warp); }
 };
 
+/// Every point where its piece is drawn.
+std::vector<Vec2> drawn(const PMesh& mesh, const std::vector<Vec2>& warp_of_piece, const std::vector<Vec2>& uv) {
+  std::vector<Vec2> points;
+  for (std::size_t p = 0; p < uv.size(); ++p) {
+    points.push_back(Frame{warp_of_piece[index(mesh.piece_of_point[p])]}.back(uv[p]));
+  }
+  return points;
+}
+
 class Developing {
  public:
   Developing(const Garment& garment, const SewnMesh& mesh, Target target) : garment_(garment), mesh_(mesh) {
@@ -32,12 +41,10 @@ class Developing {
     fill_input();
     for (int piece = 0; piece < piece_count(); ++piece) input_.grain.push_back(grain_of(piece));
     match_seams();
-    const FabricLaw law = make_law(garment_.fabric);
-    development_.flat = flatten(input_, law, options, job);
-    for (std::size_t p = 0; p < mesh_.p.points.size(); ++p) {
-      development_.points.push_back(frames_[index(mesh_.p.piece_of_point[p])].back(development_.flat.uv[p]));
-    }
     for (const Frame& frame : frames_) development_.warp_of_piece.push_back(frame.warp);
+    development_.flat = flatten(input_, make_law(garment_.fabric), options, job);
+    development_.points = drawn(mesh_.p, development_.warp_of_piece, development_.flat.uv);
+    development_.plane = std::move(input_);
     return std::move(development_);
   }
 
@@ -121,6 +128,18 @@ class Developing {
 Development develop(const Garment& garment, const SewnMesh& mesh, Target target, const FlattenOptions& options,
                     const Job& job) {
   return Developing(garment, mesh, std::move(target)).run(options, job);
+}
+
+Development with_pattern(const SewnMesh& mesh, const FabricLaw& law, Development development, std::vector<Vec2> uv) {
+  const Flattened solved = std::move(development.flat);
+  development.flat = measured(development.plane, law, std::move(uv));
+  development.flat.converged = solved.converged;
+  development.flat.iterations = solved.iterations;
+  development.flat.factorisations = solved.factorisations;
+  development.flat.residual_N = solved.residual_N;
+  development.flat.residual_relative = solved.residual_relative;
+  development.points = drawn(mesh.p, development.warp_of_piece, development.flat.uv);
+  return development;
 }
 
 OpenedDart opened_dart(const PMesh& mesh, int piece, const Dart& dart, const Development& development) {

@@ -16,17 +16,19 @@ bool ends_with(const std::filesystem::path& path, std::string_view ending) {
 
 using DrapeWriter = std::string (*)(const Draped&, const std::string& script);
 /// The first ending that fits counts: the report before plain JSON.
-constexpr std::array<std::pair<std::string_view, DrapeWriter>, 5> drape_writers{{
+constexpr std::array<std::pair<std::string_view, DrapeWriter>, 6> drape_writers{{
     {".obj", [](const Draped& d, const std::string&) { return obj(d.view()); }},
     {".ply", [](const Draped& d, const std::string&) { return ply(d.view()); }},
+    {".vtu", [](const Draped& d, const std::string&) { return vtu(d.view()); }},
     {".glb", [](const Draped& d, const std::string&) { return glb(d.view()); }},
     {".report.json", [](const Draped& d, const std::string& script) { return report_json(script, d.view()); }},
     {".json", [](const Draped& d, const std::string&) { return mesh_json(d.made->garment, d.made->mesh); }},
 }};
 
 using PatternWriter = std::string (*)(const Garment&);
-constexpr std::array<std::pair<std::string_view, PatternWriter>, 2> pattern_writers{{
+constexpr std::array<std::pair<std::string_view, PatternWriter>, 3> pattern_writers{{
     {".svg", pattern_svg},
+    {".dxf", pattern_dxf},
     {".json", pattern_json},
 }};
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "compiler/pattern/draft.hpp"
+#include "runtime/drape/rest_state.hpp"
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
 #include "runtime/fabric/law.hpp"
@@ -12,8 +13,6 @@ namespace toile {
 namespace {
 
 constexpr double outline_tolerance = 0.0002;  // [m] of the redrawn edges
-constexpr int most_corrections = 8;
-constexpr double worth_going_on = 1.5;  // a miss larger than the least so far by this factor ends the corrections
 
 /// What the development leaves in the cloth where it lies on the form, in the words of a drape.
 Drape residual_drape(const Developed& developed, const FabricLaw& law) {
@@ -40,16 +39,6 @@ Drape residual_drape(const Developed& developed, const FabricLaw& law) {
   drape.pressure.assign(drape.positions.size(), 0.0);
   drape.edge_rotations.assign(developed.drawn->mesh.s.edges.size(), 0.0);
   return drape;
-}
-
-/// Where the cloth stands off the form it is next cut for one that lies deeper by as much.
-void aim_beyond(const Target& form, const Draped& draped, Target& aim) {
-  for (std::size_t v = 0; v < aim.positions.size(); ++v) {
-    const auto surface = draped.body->nearest(form.positions[v], 0.1);
-    if (!surface) continue;
-    const double off = dot(draped.drape.positions[v] - form.positions[v], surface->normal);
-    aim.positions[v] += -std::max(off, 0.0) * surface->normal;
-  }
 }
 
 }  // namespace
@@ -96,6 +85,14 @@ std::shared_ptr<const Body> Workroom::body_called(const std::string& name, Locat
   return nullptr;
 }
 
+void Workroom::lay_on_form(Developed& developed) {
+  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
+  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
+  flat->cloth = make_cloth(flat->mesh);
+  developed.on_form.made = flat;
+  developed.on_form.drape = residual_drape(developed, make_law(developed.drawn->garment.fabric));
+}
+
 void Workroom::flatten_to(const Target& target, Developed& developed) {
   const Garment& garment = developed.drawn->garment;
   {
@@ -103,52 +100,11 @@ void Workroom::flatten_to(const Target& target, Developed& developed) {
     developed.development = toile::develop(garment, developed.drawn->mesh, target, {}, job_);
   }
   profile_.factorisations += developed.development.flat.factorisations;
-  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
-  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
-  flat->cloth = make_cloth(flat->mesh);
-  developed.on_form.made = flat;
-  developed.on_form.drape = residual_drape(developed, make_law(garment.fabric));
-}
-
-// What the cloth misses the form by is added to what it is cut for, again and again, as dies are corrected for the
-// spring-back of the sheet (Gan & Wagoner 2004).
-void Workroom::correct(const DevelopCommand& command, const Target& form, Developed& developed) {
-  Target aim = form;
-  Developed best = developed;
-  double least = 1e300;
-  DrapeCommand draping;
-  draping.garment = command.garment;
-  draping.body = command.body;
-  for (int round = 1; round <= most_corrections; ++round) {
-    const std::optional<Draped> draped = drape_on_form(draping, developed, form);
-    if (!draped) return;
-    const double miss = draped->form->distance.p95;
-    listener_->noted(fmt::format("{}: drape {}: 95 % within {:.2f} mm of the form", developed.drawn->garment.name,
-                                 round, 1000 * miss));
-    const bool better = miss < least;
-    const bool hopeless = miss > worth_going_on * least;
-    if (better) {
-      least = miss;
-      best = developed;
-    }
-    best.drapes = round;
-    if (miss <= *command.within || hopeless || round == most_corrections) break;
-    aim_beyond(form, *draped, aim);
-    flatten_to(aim, developed);
-  }
-  developed = std::move(best);
-  if (least <= *command.within) return;
-  outcome_.unsettled = true;
-  diagnose(at_place(Severity::Warning, "W0514", command.written,
-                    fmt::format("no pattern was found that {} takes this form by: 95 % of the cloth come within {:.1f} "
-                                "mm of it, not {:.1f} mm",
-                                developed.drawn->garment.name, 1000 * least, 1000 * *command.within),
-                    "developed here",
-                    "cloth that is draped cannot follow hollows: hold or sew it there, or ask for less"));
+  lay_on_form(developed);
 }
 
 std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const Developed& developed,
-                                              const Target& form) {
+                                              const Target& form, const AtRestOnForm& at_rest) {
   Draped draped;
   draped.made = developed.on_form.made;
   draped.body = developed.on_form.body;
@@ -157,6 +113,13 @@ std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const
       start_on_form(made.mesh.s, made.garment.wears, form, *draped.body, make_law(made.garment.fabric).thickness / 2);
   DrapeOptions options = drape_options(command);
   options.carried_over = true;
+  if (at_rest) {
+    options.at_rest = [&](const RestState& rest) {
+      std::vector<Vec3> positions;
+      for (int v = 0; v < made.mesh.s.vertex_count; ++v) positions.push_back(to_vec3(rest.q.segment<3>(3 * v)));
+      at_rest(rest, form_distance(made.mesh.s, start.positions, positions, made.cloth.area_of_vertex));
+    };
+  }
   {
     const Stopwatch watch(profile_.solve_s);
     draped.drape = toile::drape(made.cloth, made.garment.fabric, draped.body.get(), start, options, job_);
@@ -169,7 +132,7 @@ std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const
 
 std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Developed& developed) {
   std::optional<Draped> draped = drape_on_form(
-      command, developed, find_target(developed.drawn->garment, developed.drawn->mesh, *developed.on_form.body));
+      command, developed, find_target(developed.drawn->garment, developed.drawn->mesh, *developed.on_form.body), {});
   if (!draped) return std::nullopt;
   note_drape(command, *draped);
   const Spread& distance = draped->form->distance;

@@ -21,7 +21,8 @@ const std::map<std::string, std::vector<std::string>> examples{
     {"poncho", {"poncho.svg", "poncho.png", "poncho.report.json"}},
     {"trousers", {"trousers.svg", "trousers.png", "trousers.report.json"}},
     {"torus", {"torus.svg", "torus.png", "torus.report.json"}},
-    {"developed_bodice", {"bodice.toile", "bodice.svg", "bodice.report.json", "residual.png", "worn.png"}},
+    {"developed_bodice",
+     {"bodice.toile", "bodice.svg", "bodice.dxf", "bodice.report.json", "residual.png", "residual.vtu", "worn.png"}},
     {"developed_yoke", {"yoke.toile", "yoke.svg", "residual.png", "worn.png"}},
     {"hat", {"gore.toile", "gore.svg", "residual.png"}},
 };
