@@ -2,6 +2,7 @@
 // cuts darts, pairs seams and checks the geometry.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -33,6 +34,11 @@ struct DraftDart {
   bool trued = false;         // its edge redrawn so that it runs on smoothly once the dart is closed
   std::optional<Press> pressed{};
 };
+
+/// [m] So wide is a dart where its piece is drawn on a body: a slit that must have two sides to be meshed.
+inline double slit_width(double depth) {
+  return std::min(0.002, depth / 20);
+}
 
 /// Moves a dart, or a share of it, to another place of the outline.
 struct DraftPivot {

@@ -71,13 +71,17 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
 }
 
 std::string development_report(const Developed& developed, const std::string& script) {
-  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn);
+  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn, developed.proposed);
 }
 
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
                                             const std::string& script) {
   if (ends_with(path, ".toile")) {
-    return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string());
+    std::vector<std::string> notes;
+    for (const ProposedDart& dart : developed.proposed) {
+      notes.push_back("Proposed where " + dart.piece + " is drawn on the body: " + slit_text(dart.dart));
+    }
+    return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string(), notes);
   }
   if (ends_with(path, ".report.json")) return development_report(developed, script);
   if (auto pattern = pattern_file(path, developed.pattern)) return pattern;

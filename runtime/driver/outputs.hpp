@@ -15,8 +15,8 @@ namespace toile {
 std::optional<std::string> drape_file(const std::filesystem::path& path, const Draped& draped,
                                       const std::string& script);
 std::string development_report(const Developed& developed, const std::string& script);
-/// A development as .toile (its pattern as text), .report.json, .svg, .dxf or .json (the pattern), .obj, .ply, .vtu or .glb (the
-/// cloth on its form); nullopt for another ending.
+/// A development as .toile (its pattern as text), .report.json, .svg, .dxf or .json (the pattern), .obj, .ply, .vtu or
+/// .glb (the cloth on its form); nullopt for another ending.
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
                                             const std::string& script);
 /// A flat pattern as .svg, .dxf or .json; nullopt for another ending.

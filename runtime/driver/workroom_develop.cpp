@@ -5,8 +5,10 @@
 
 #include "compiler/pattern/draft.hpp"
 #include "runtime/drape/rest_state.hpp"
+#include "runtime/driver/result.hpp"
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
+#include "runtime/export/pattern_text.hpp"
 #include "runtime/fabric/law.hpp"
 
 namespace toile {
@@ -49,6 +51,8 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   if (!developed.drawn) return std::nullopt;
   developed.on_form.body = body(command.body, command.written);
   if (!developed.on_form.body) return std::nullopt;
+  if (command.strain && target(*developed.drawn, *developed.on_form.body)) propose_darts(command, developed);
+  if (interrupted()) return std::nullopt;
   const Garment& garment = developed.drawn->garment;
   const std::optional<Target> form = target(*developed.drawn, *developed.on_form.body);
   if (!form) return std::nullopt;
@@ -66,6 +70,29 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   }
   note_development(command, developed);
   return developed;
+}
+
+void Workroom::propose_darts(const DevelopCommand& command, Developed& developed) {
+  DraftGarment draft = program_->drafts()[static_cast<std::size_t>(command.garment)];
+  draft.fabric = developed.drawn->garment.fabric;
+  const int triangles = options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
+  DartProposal proposal;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    proposal = toile::propose_darts(draft, *developed.on_form.body, *command.strain, triangles, job_);
+  }
+  if (proposal.darts.empty() || interrupted()) return;
+  auto made = std::make_shared<MadeGarment>();
+  std::vector<Diagnostic> found;
+  made->garment = make_garment(proposal.draft, found);
+  for (const Diagnostic& diagnostic : found) {
+    if (diagnostic.severity == Severity::Error) return diagnose(diagnostic);
+  }
+  made->mesh_options = developed.drawn->mesh_options;
+  made->mesh = sew(made->garment, made->mesh_options);
+  made->cloth = make_cloth(made->mesh);
+  developed.drawn = made;
+  developed.proposed = std::move(proposal.darts);
 }
 
 std::optional<Target> Workroom::target(const MadeGarment& made, const Body& body) {
@@ -142,6 +169,18 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Develop
   return draped;
 }
 
+void Workroom::note_strain(const DevelopCommand& command, const Developed& developed) {
+  const double left = result_of(developed).at("strain.worst.p95");
+  listener_->noted(fmt::format("{}: {} darts proposed, 95 % of the cloth strained by {:.2f} % at most",
+                               developed.drawn->garment.name, developed.proposed.size(), 100 * left));
+  if (left <= *command.strain) return;
+  diagnose(at_place(Severity::Warning, "W0517", command.written,
+                    fmt::format("darts do not take the strain out of {}: with those proposed 95 % of the cloth are "
+                                "strained by {:.2f} % at most, not {:.2f} %",
+                                developed.drawn->garment.name, 100 * left, 100 * *command.strain),
+                    "developed here", "divide the piece by a seam where the picture of the strain is darkest"));
+}
+
 void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {
   const Flattened& flat = developed.development.flat;
   listener_->noted(fmt::format(
@@ -154,6 +193,11 @@ void Workroom::note_development(const DevelopCommand& command, const Developed& 
         return darts;
       }(),
       flat.energy.warp + flat.energy.weft + flat.energy.shear, 1000 * flat.mismatch, 1000 * developed.redrawn.error));
+  for (const ProposedDart& dart : developed.proposed) {
+    listener_->noted(fmt::format("proposed for {}: {}; without it {:.3g} J and {:.2f} % would be left", dart.piece,
+                                 slit_text(dart.dart), dart.without.energy, 100 * dart.without.p95));
+  }
+  if (command.strain) note_strain(command, developed);
   if (flat.converged) return;
   outcome_.unsettled = true;
   diagnose(at_place(Severity::Warning, "W0513", command.written,
