@@ -105,6 +105,7 @@ struct DraftPiece {
   bool mirrored = false;  // cut in mirrored pairs
   int quantity = 1;
   Vec2 warp{0, -1};
+  bool free_grain = false;  // the warp turns where it costs least when the piece is developed
   std::vector<DraftDart> darts;
   std::vector<DraftPivot> pivots;
   std::vector<DraftSpread> spreads;

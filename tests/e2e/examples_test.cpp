@@ -25,9 +25,11 @@ const std::map<std::string, std::vector<std::string>> examples{
      {"bodice.toile", "bodice.svg", "bodice.dxf", "bodice.report.json", "residual.png", "residual.vtu", "worn.png"}},
     {"developed_yoke", {"yoke.toile", "yoke.svg", "residual.png", "worn.png"}},
     {"hat", {"gore.toile", "gore.svg", "residual.png"}},
+    {"bra_cup", {"cup.toile", "cup.svg", "cup.dxf", "residual.png"}},
+    {"stool_cover", {"cover.toile", "cover.svg", "cover.report.json", "residual.png"}},
 };
 /// Those have no pattern to drape until they are developed.
-const std::set<std::string> developed{"developed_bodice", "developed_yoke", "hat"};
+const std::set<std::string> developed{"bra_cup", "developed_bodice", "developed_yoke", "hat", "stool_cover"};
 
 class Example : public testing::TestWithParam<std::string> {};
 
