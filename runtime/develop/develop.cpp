@@ -84,6 +84,8 @@ class Developing {
   void turn_free_grains(const FabricLaw& law, const Job& job) {
     FlattenOptions roughly;
     roughly.tolerance = 1e-4;
+    roughly.length_tolerance = 1e-3;
+    roughly.max_iterations = 60;
     const auto energy = [&] {
       const Flattened flat = flatten(input_, law, roughly, job);
       return flat.energy.warp + flat.energy.weft + flat.energy.shear;

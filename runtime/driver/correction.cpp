@@ -71,7 +71,7 @@ void Workroom::correct(const DevelopCommand& command, const Target& form, Develo
   diagnose(at_place(
       Severity::Warning, "W0514", command.written,
       fmt::format("no pattern was found that {} takes this form by: after {} drapes 95 % of the cloth come within "
-                  "{:.1f} mm of it, not {:.1f} mm",
+                  "{:.2f} mm of it, not {:.2f} mm",
                   developed.drawn->garment.name, developed.drapes, 1000 * search.within, 1000 * *command.within),
       "developed here",
       search.step.left > worth_a_drape
