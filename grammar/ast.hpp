@@ -217,7 +217,7 @@ struct Cut : ViewOf<Kind::Cut> {
   bool mirrored() const { return has(*this, Kind::KwMirrored); }
 };
 
-/// direction() is KwDown KwUp KwLeft KwRight KwBias, or else angle() is there.
+/// direction() is KwDown KwUp KwLeft KwRight KwBias KwFree, or else angle() is there.
 struct Grain : ViewOf<Kind::Grain> {
   std::optional<Token> direction() const { return child<Token>(*this, 1); }
   std::optional<Expr> angle() const { return child<Expr>(*this); }

@@ -16,10 +16,11 @@ struct Drape : ViewOf<Kind::Drape> {
   std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }
 };
 
-/// develop bodice as flat until within 3mm
+/// develop bodice as flat with darts to 2% until within 3mm
 struct Develop : ViewOf<Kind::Develop> {
   std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDevelop); }
   std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
+  std::optional<Expr> strain() const { return after<Expr>(*this, Kind::KwTo); }
   std::optional<Expr> within() const { return after<Expr>(*this, Kind::KwWithin); }
 };
 

@@ -157,7 +157,7 @@ struct position : node<Kind::Position, expression, word<Kind::KwOf>, edge_name> 
 struct fold : line<Kind::Fold, word<Kind::KwFold>, any_name> {};
 struct cut : line<Kind::Cut, word<Kind::KwCut>, expression, pegtl::opt<word<Kind::KwMirrored>>> {};
 struct four_ways : pegtl::sor<word<Kind::KwDown>, word<Kind::KwUp>, word<Kind::KwLeft>, word<Kind::KwRight>> {};
-struct grain_word : pegtl::sor<four_ways, word<Kind::KwBias>> {};
+struct grain_word : pegtl::sor<four_ways, word<Kind::KwBias>, word<Kind::KwFree>> {};
 struct grain : line<Kind::Grain, word<Kind::KwGrain>, pegtl::sor<pegtl::seq<grain_word, at_end<>>, expression>> {};
 
 /// Properties, and words that say enough alone: `{ box, depth 3cm, pressed left }`.
@@ -248,6 +248,7 @@ struct garment
 struct drape : line<Kind::Drape, word<Kind::KwDrape>, expression, pegtl::opt<with_value<Kind::KwOn>>,
                     pegtl::opt<word<Kind::KwAs>, any_name>, pegtl::opt<with_value<Kind::KwTo>>> {};
 struct develop : line<Kind::Develop, word<Kind::KwDevelop>, expression, pegtl::opt<word<Kind::KwAs>, any_name>,
+                      pegtl::opt<word<Kind::KwWith>, word<Kind::KwDarts>, with_value<Kind::KwTo>>,
                       pegtl::opt<word<Kind::KwUntil>, with_value<Kind::KwWithin>>> {};
 struct render_option
     : node<Kind::RenderOption,

@@ -36,11 +36,6 @@ const Curve& curve_of(const DraftPiece& draft, const std::string& edge) {
   return drafted_edge(draft, edge)->curve;
 }
 
-/// So wide is a slit in the chart, where it must have two sides to be meshed; on the body it is closed.
-double slit_width(double depth) {
-  return std::min(0.002, depth / 20);
-}
-
 class DetailReader {
  public:
   DetailReader(Session& session, const PieceInstance& piece, DraftPiece& draft)

@@ -35,6 +35,10 @@ void Commands::check_develop(Planned& planned, const syntax::Develop& develop) {
   }
   planned.drape->garment = garment;
   DevelopCommand made;
+  if (const auto strain = develop.strain()) {
+    made.strain = Wanted{session_, scope()}.positive(strain, dimension::number, "the strain after `darts to`");
+    if (!made.strain) return;
+  }
   if (const auto within = develop.within()) {
     made.within = Wanted{session_, scope()}.positive(within, dimension::length, "the distance after `within`");
     if (!made.within) return;

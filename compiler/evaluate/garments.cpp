@@ -133,6 +133,7 @@ class GarmentBuilder {
     if (!garment_.sound) return;
     garment_.index = static_cast<int>(session_.garments.size());
     session_.garments.push_back(std::move(made));
+    session_.drafts.push_back(garment_.draft);
   }
 
   Session& session_;

@@ -154,16 +154,16 @@ void Commands::check_export(Planned& planned, const syntax::Export& output) {
   const bool is_garment = value.as<GarmentRef>() != nullptr || value.as<GarmentTemplateRef>() != nullptr;
   if (is_garment) {
     const GarmentInstance* garment = as_garment(session_, value, module().at(*subject));
-    const auto path = output_path(output.path(), "a flat pattern", {"svg", "json"});
+    const auto path = output_path(output.path(), "a flat pattern", {"svg", "dxf", "json"});
     if (garment == nullptr || garment->index < 0 || !path) return;
     made.garment = garment->index;
     made.path = *path;
   } else {
     const DrapeRecord* drape = result(*subject, value);
     const bool develops = drape != nullptr && drape->develops;
-    const auto path = develops
-                          ? output_path(output.path(), "a development", {"toile", "svg", "json", "obj", "ply", "glb"})
-                          : output_path(output.path(), "a drape", {"obj", "ply", "glb", "json"});
+    const auto path = develops ? output_path(output.path(), "a development",
+                                             {"toile", "svg", "dxf", "json", "obj", "ply", "vtu", "glb"})
+                               : output_path(output.path(), "a drape", {"obj", "ply", "vtu", "glb", "json"});
     if (drape == nullptr || !path) return;
     made.result = drape->name;
     made.path = *path;

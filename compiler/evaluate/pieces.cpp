@@ -200,6 +200,9 @@ class PieceDrafter {
       case syntax::Kind::KwRight:
         draft_.warp = {1, 0};
         break;
+      case syntax::Kind::KwFree:
+        free_grain(*word);
+        break;
       case syntax::Kind::KwBias:
         draft_.warp = direction(-std::numbers::pi / 4);
         break;
@@ -207,6 +210,15 @@ class PieceDrafter {
         draft_.warp = {0, -1};
         break;
     }
+  }
+
+  void free_grain(const syntax::Token& word) {
+    draft_.free_grain = true;
+    if (draft_.chart) return;
+    fail();
+    session_.report.add(Problem("E0103", "only a piece that is drawn on a body finds its grain by itself")
+                            .at(module_.at(word))
+                            .help("grain down"));
   }
 
   static std::optional<AllowanceCorner> corner_of(const std::optional<syntax::Token>& word) {

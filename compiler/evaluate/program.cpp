@@ -36,6 +36,7 @@ class LoadedProgram final : public Program {
   const Sources& sources() const override { return session_.sources; }
   const std::vector<Diagnostic>& diagnostics() const override { return session_.report.all(); }
   const std::vector<Garment>& garments() const override { return session_.garments; }
+  const std::vector<DraftGarment>& drafts() const override { return session_.drafts; }
   const std::vector<BodySpec>& bodies() const override { return session_.bodies; }
   std::vector<std::string> sizes() const override { return common_sizes(session_); }
   std::optional<Command> next() override { return commands_.next(); }

@@ -12,6 +12,7 @@
 
 #include "compiler/diag/diagnostic.hpp"
 #include "compiler/pattern/body_spec.hpp"
+#include "compiler/pattern/draft.hpp"
 #include "compiler/pattern/pattern.hpp"
 
 namespace toile {
@@ -51,6 +52,7 @@ struct DevelopCommand {
   int garment = 0;
   int body = 0;
   std::string name;
+  std::optional<double> strain;  // that darts are to be proposed for, until 95 % of the cloth have no more
   std::optional<double> within;  // [m] of the form when it is draped back, which the pattern is to be corrected for
   Location written;
 };
@@ -95,6 +97,8 @@ class Program {
   bool ok() const;
 
   virtual const std::vector<Garment>& garments() const = 0;
+  /// What they were made of, one for one.
+  virtual const std::vector<DraftGarment>& drafts() const = 0;
   virtual const std::vector<BodySpec>& bodies() const = 0;
   /// The names of the sizes that can be chosen: those that each size table has.
   virtual std::vector<std::string> sizes() const = 0;
@@ -131,6 +135,8 @@ const std::vector<std::pair<std::string, std::string>>& form_drape_schema();
 
 /// The same for a development: what it has in common with a drape, and
 ///   area, target_area   of the flat pattern, of the form [m2]
+///   strain.worst        95 % of the cloth have no elongation, compression or shear beyond it
+///   darts.proposed      how many darts of the pieces as drawn were proposed
 ///   seams.mismatch      the largest difference between two sides that are sewn together [m]
 const std::vector<std::pair<std::string, std::string>>& development_schema();
 

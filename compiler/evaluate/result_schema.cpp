@@ -57,6 +57,8 @@ Schema make_development_schema() {
     add(schema, std::string("strain.") + direction, {"min", "mean", "p95", "max"}, "%");
   }
   add(schema, "strain.shear.", {"min", "mean", "p95", "max"}, "rad");
+  add(schema, "strain.worst.", {"p95"}, "%");
+  add(schema, "darts.", {"proposed"}, "1");
   add(schema, "", {"area", "target_area"}, "m^2");
   add(schema, "seams.", {"mismatch"}, "m");
   return schema;

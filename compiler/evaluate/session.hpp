@@ -43,6 +43,7 @@ struct Session {
   std::deque<DrapeRecord> drapes;
 
   std::vector<Garment> garments;
+  std::vector<DraftGarment> drafts;  // of which they were made
   std::vector<BodySpec> bodies;
 
   /// > 0 while something is checked that may never be computed: a branch that is not taken, a function that nothing

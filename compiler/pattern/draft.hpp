@@ -2,6 +2,7 @@
 // cuts darts, pairs seams and checks the geometry.
 #pragma once
 
+#include <algorithm>
 #include <array>
 #include <optional>
 #include <string>
@@ -33,6 +34,11 @@ struct DraftDart {
   bool trued = false;         // its edge redrawn so that it runs on smoothly once the dart is closed
   std::optional<Press> pressed{};
 };
+
+/// [m] So wide is a dart where its piece is drawn on a body: a slit that must have two sides to be meshed.
+inline double slit_width(double depth) {
+  return std::min(0.002, depth / 20);
+}
 
 /// Moves a dart, or a share of it, to another place of the outline.
 struct DraftPivot {
@@ -99,6 +105,7 @@ struct DraftPiece {
   bool mirrored = false;  // cut in mirrored pairs
   int quantity = 1;
   Vec2 warp{0, -1};
+  bool free_grain = false;  // the warp turns where it costs least when the piece is developed
   std::vector<DraftDart> darts;
   std::vector<DraftPivot> pivots;
   std::vector<DraftSpread> spreads;

@@ -51,6 +51,7 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   piece.name = draft.name;
   piece.drawn_name = draft.name;
   piece.warp = draft.warp;
+  piece.free_grain = draft.free_grain;
   piece.quantity = draft.mirrored ? std::max(1, draft.quantity / 2) : draft.quantity;
   piece.chart = draft.chart;
   piece.written = draft.written;

@@ -108,7 +108,8 @@ struct Piece {
   std::vector<PieceEdge> edges;
   std::vector<std::vector<PieceEdge>> holes;  // walked clockwise: they, too, have the cloth on their left
   std::optional<LineSegment> fold;            // where it was folded, for drawing and for centring
-  Vec2 warp{0, -1};  // unit vector: the direction of the warp (u) in the drawing; weft is perpendicular(warp)
+  Vec2 warp{0, -1};         // unit vector: the direction of the warp (u) in the drawing; weft is perpendicular(warp)
+  bool free_grain = false;  // it turns where it costs least when the piece is developed
   std::vector<Notch> notches;
   std::vector<Dart> darts;
   std::vector<Pleat> pleats;

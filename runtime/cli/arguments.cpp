@@ -155,7 +155,7 @@ void build(CLI::App& app, Arguments& arguments) {
                                "toile draft skirt.toile -o skirt.svg");
   script_file(draft, arguments);
   draft.add_flag("--sewing", arguments.sewing, "write the order of sewing instead, step by step: .txt or .json");
-  draft.add_option("-o", arguments.outputs, "the file: .svg (true scale) or .json")
+  draft.add_option("-o", arguments.outputs, "the file: .svg (true scale), .dxf or .json")
       ->required()
       ->type_name("F")
       ->expected(1);
@@ -165,7 +165,7 @@ void build(CLI::App& app, Arguments& arguments) {
                                "toile drape skirt.toile --accuracy final -o skirt.glb --report skirt.report.json");
   script_file(drape, arguments);
   choice_options(drape, arguments);
-  drape.add_option("-o", arguments.outputs, "a file: .glb, .obj, .ply or .json; may be given several times")
+  drape.add_option("-o", arguments.outputs, "a file: .glb, .obj, .ply, .vtu or .json; may be given several times")
       ->type_name("F")
       ->expected(1)
       ->take_all();
@@ -180,7 +180,7 @@ void build(CLI::App& app, Arguments& arguments) {
       ->type_name("NAME");
   develop
       .add_option("-o", arguments.outputs,
-                  "a file: .toile, .svg, .json, .obj, .ply or .glb; may be given several times")
+                  "a file: .toile, .svg, .dxf, .json, .obj, .ply, .vtu or .glb; may be given several times")
       ->type_name("F")
       ->expected(1)
       ->take_all();

@@ -10,6 +10,7 @@ namespace toile {
 namespace {
 
 constexpr int most_shelves = 400;
+constexpr double level_pole = 0.7;   // height of a unit vector below which a dome is looked at from the side
 constexpr double on_edge = 1e-9;     // how far outside of a triangle, in its own coordinates, still is on it
 constexpr double same_place = 1e-7;  // [m] hits nearer than this are one, on the edge of two triangles
 
@@ -92,7 +93,7 @@ BodyChart::BodyChart(const Body& body, const ChartSpec& spec, std::string& error
   if (spec.centre) origin_ = space_point(*spec.centre);
   if (spec.pole) {
     up_ = normalized(space_point(*spec.pole));
-    front_ = square_to(up_, front_);
+    front_ = square_to(up_, std::abs(up_.z) < level_pole ? Vec3{0, 0, -1} : front_);
   }
   left_ = cross(up_, front_);
   sort_triangles();

@@ -2,11 +2,14 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 
 #include "runtime/mesh/index.hpp"
 
 namespace toile {
 namespace {
+
+constexpr double finest_turn = 0.03;  // [rad] of a free grain
 
 /// How much longer than in the chart a piece is on the body, along x and along y of the chart, in the mean.
 struct Scale {
@@ -21,6 +24,15 @@ struct Frame {
   Vec2 back(Vec2 uv) const { return uv.x * warp + uv.y * perpendicular(warp); }
 };
 
+/// Every point where its piece is drawn.
+std::vector<Vec2> drawn(const PMesh& mesh, const std::vector<Vec2>& warp_of_piece, const std::vector<Vec2>& uv) {
+  std::vector<Vec2> points;
+  for (std::size_t p = 0; p < uv.size(); ++p) {
+    points.push_back(Frame{warp_of_piece[index(mesh.piece_of_point[p])]}.back(uv[p]));
+  }
+  return points;
+}
+
 class Developing {
  public:
   Developing(const Garment& garment, const SewnMesh& mesh, Target target) : garment_(garment), mesh_(mesh) {
@@ -32,12 +44,12 @@ class Developing {
     fill_input();
     for (int piece = 0; piece < piece_count(); ++piece) input_.grain.push_back(grain_of(piece));
     match_seams();
-    const FabricLaw law = make_law(garment_.fabric);
-    development_.flat = flatten(input_, law, options, job);
-    for (std::size_t p = 0; p < mesh_.p.points.size(); ++p) {
-      development_.points.push_back(frames_[index(mesh_.p.piece_of_point[p])].back(development_.flat.uv[p]));
-    }
     for (const Frame& frame : frames_) development_.warp_of_piece.push_back(frame.warp);
+    const FabricLaw law = make_law(garment_.fabric);
+    turn_free_grains(law, job);
+    development_.flat = flatten(input_, law, options, job);
+    development_.points = drawn(mesh_.p, development_.warp_of_piece, development_.flat.uv);
+    development_.plane = std::move(input_);
     return std::move(development_);
   }
 
@@ -67,6 +79,49 @@ class Developing {
     }
   }
 
+  /// Pieces whose grain is free are tried at turns of 45 degrees, and then in ever smaller parts of such a turn about
+  /// the best, one after the other.
+  void turn_free_grains(const FabricLaw& law, const Job& job) {
+    FlattenOptions roughly;
+    roughly.tolerance = 1e-4;
+    roughly.length_tolerance = 1e-3;
+    roughly.max_iterations = 60;
+    const auto energy = [&] {
+      const Flattened flat = flatten(input_, law, roughly, job);
+      return flat.energy.warp + flat.energy.weft + flat.energy.shear;
+    };
+    for (int piece = 0; piece < piece_count(); ++piece) {
+      if (!garment_.pieces[index(piece)].free_grain) continue;
+      double best = 0, least = energy(), turned = 0;
+      const auto consider = [&](double angle) {
+        turn_piece(piece, angle - turned);
+        turned = angle;
+        const double now = energy();
+        if (now >= least) return;
+        least = now;
+        best = angle;
+      };
+      constexpr double eighth = std::numbers::pi / 4;
+      for (const int eighths : {1, 2, 3}) consider(eighths * eighth);
+      for (double step = eighth / 2; step > finest_turn; step /= 2) {
+        const double middle = best;
+        consider(middle - step);
+        consider(middle + step);
+      }
+      turn_piece(piece, best - turned);
+    }
+  }
+
+  void turn_piece(int number, double angle) {
+    const Vec2 along = direction(angle);
+    for (std::size_t p = 0; p < input_.start.size(); ++p) {
+      if (mesh_.p.piece_of_point[p] != number) continue;
+      const Vec2 place = input_.start[p];
+      input_.start[p] = place.x * along + place.y * perpendicular(along);
+    }
+    input_.grain[index(number)] = grain_of(number);
+  }
+
   void fill_input() {
     input_.triangles = mesh_.p.triangles;
     for (std::size_t p = 0; p < mesh_.p.points.size(); ++p) {
@@ -82,7 +137,7 @@ class Developing {
       outline.insert(outline.end(), edge.points.begin(), edge.points.end() - 1);
     }
     const Piece& piece = garment_.pieces[index(number)];
-    if (!piece.fold || std::abs(cross(piece.fold->to - piece.fold->from, piece.warp)) > 1e-6) {
+    if (piece.free_grain || !piece.fold || std::abs(cross(piece.fold->to - piece.fold->from, piece.warp)) > 1e-6) {
       return grain_line(input_.start, outline);
     }
     const auto nearest = [&](Vec2 place) {
@@ -93,16 +148,31 @@ class Developing {
     return {nearest(piece.fold->from), nearest(piece.fold->to)};  // the fold stays straight
   }
 
+  /// [m] on the form, where both of its sides are one line.
+  double length_of(std::size_t seam) const {
+    double length = 0;
+    for (const PMesh::SewnRun& run : mesh_.p.sewn[seam]) {
+      for (std::size_t i = 0; i + 1 < run.first.size(); ++i) {
+        length += distance(target(run.first[i]), target(run.first[i + 1]));
+      }
+    }
+    return length;
+  }
+
+  /// Where one side is eased, gathered or stretched onto the other, the one named first is so much longer.
   void match_seams() {
     for (std::size_t s = 0; s < garment_.seams.size(); ++s) {
       const Seam& seam = garment_.seams[s];
+      const bool matched = seam.fullness == Seam::Fullness::None || seam.stated > 0;
+      const double longer = seam.fullness == Seam::Fullness::None ? 0 : seam.stated / std::max(length_of(s), 1e-6);
       for (const PMesh::SewnRun& run : mesh_.p.sewn[s]) {
         for (std::size_t i = 0; i + 1 < run.first.size(); ++i) {
           LengthMatch match{{run.first[i], run.first[i + 1]}, {run.second[i], run.second[i + 1]}};
           match.length = std::max(distance(target(match.first[0]), target(match.first[1])), 1e-6);
+          match.longer = longer * match.length;
           match.seam = static_cast<int>(s);
           const bool same = match.first == match.second;
-          if (!same && seam.fullness == Seam::Fullness::None) input_.matches.push_back(match);
+          if (!same && matched) input_.matches.push_back(match);
         }
       }
     }
@@ -121,6 +191,18 @@ class Developing {
 Development develop(const Garment& garment, const SewnMesh& mesh, Target target, const FlattenOptions& options,
                     const Job& job) {
   return Developing(garment, mesh, std::move(target)).run(options, job);
+}
+
+Development with_pattern(const SewnMesh& mesh, const FabricLaw& law, Development development, std::vector<Vec2> uv) {
+  const Flattened solved = std::move(development.flat);
+  development.flat = measured(development.plane, law, std::move(uv));
+  development.flat.converged = solved.converged;
+  development.flat.iterations = solved.iterations;
+  development.flat.factorisations = solved.factorisations;
+  development.flat.residual_N = solved.residual_N;
+  development.flat.residual_relative = solved.residual_relative;
+  development.points = drawn(mesh.p, development.warp_of_piece, development.flat.uv);
+  return development;
 }
 
 OpenedDart opened_dart(const PMesh& mesh, int piece, const Dart& dart, const Development& development) {

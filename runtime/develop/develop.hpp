@@ -15,6 +15,7 @@ namespace toile {
 
 struct Development {
   Target target;
+  FlatteningInput plane;     // what was flattened
   Flattened flat;            // none where the target has troubles
   std::vector<Vec2> points;  // of the P-mesh, each piece in its drawing: upright as it was drawn in the chart
   std::vector<Vec2> warp_of_piece;
@@ -23,6 +24,9 @@ struct Development {
 /// `mesh` is that of the garment as drawn in its charts, `target` where it lies in space, without troubles.
 Development develop(const Garment& garment, const SewnMesh& mesh, Target target, const FlattenOptions& options,
                     const Job& job);
+
+/// The same with other places of its points, (warp, weft) as in `flat.uv`.
+Development with_pattern(const SewnMesh& mesh, const FabricLaw& law, Development development, std::vector<Vec2> uv);
 
 /// How a dart came out.
 struct OpenedDart {

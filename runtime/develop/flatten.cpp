@@ -6,6 +6,7 @@
 #include "runtime/develop/coarse_start.hpp"
 #include "runtime/develop/flattening.hpp"
 #include "runtime/develop/flips.hpp"
+#include "runtime/develop/plane_unknowns.hpp"
 #include "runtime/mesh/index.hpp"
 #include "runtime/solve/parallel.hpp"
 #include "runtime/solve/sparse.hpp"
@@ -25,17 +26,35 @@ TargetTriangle speck() {
   return *target_triangle({Vec3{0, 0, 0}, Vec3{side, 0, 0}, Vec3{0, side, 0}});
 }
 
+/// What has no area in space has no place in the plane either: a speck stands for it.
+TargetTriangle target_of(const FlatteningInput& input, std::size_t t) {
+  const auto corner = [&](std::size_t i) { return input.target[index(input.triangles[t][i])]; };
+  return target_triangle({corner(0), corner(1), corner(2)}).value_or(speck());
+}
+
+double largest_mismatch(const FlatteningInput& input, const std::vector<Vec2>& uv) {
+  std::vector<double> sums;
+  for (const LengthMatch& match : input.matches) {
+    if (index(match.seam) >= sums.size()) sums.resize(index(match.seam) + 1, 0.0);
+    const auto place = [&](int point) { return uv[index(point)]; };
+    sums[index(match.seam)] +=
+        mismatch(match, {place(match.first[0]), place(match.first[1]), place(match.second[0]), place(match.second[1])})
+            .value;
+  }
+  double largest = 0;
+  for (const double sum : sums) largest = std::max(largest, std::abs(sum));
+  return largest;
+}
+
 class Flattening {
  public:
   Flattening(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options)
-      : input_(input), law_(law), options_(options), matrix_(reduced(input), elements(input)) {
+      : input_(input), law_(law), options_(options), matrix_(free_plane_unknowns(input), plane_elements(input)) {
     for (std::size_t t = 0; t < input.triangles.size(); ++t) {
-      const auto corner = [&](std::size_t i) { return input.target[index(input.triangles[t][i])]; };
-      // What has no area in space has no place in the plane either: a speck stands for it.
-      targets_.push_back(target_triangle({corner(0), corner(1), corner(2)}).value_or(speck()));
-      triangle_places_.push_back(matrix_.places(unknowns(input.triangles[t])));
+      targets_.push_back(target_of(input, t));
+      triangle_places_.push_back(matrix_.places(plane_unknowns(input.triangles[t])));
     }
-    for (const LengthMatch& match : input.matches) match_places_.push_back(matrix_.places(unknowns(match)));
+    for (const LengthMatch& match : input.matches) match_places_.push_back(matrix_.places(plane_unknowns(match)));
     q_ = Vector(2 * static_cast<Eigen::Index>(input.start.size()));
     const std::vector<Vec2> start = coarse_start(input, law);
     for (std::size_t i = 0; i < start.size(); ++i) {
@@ -54,54 +73,14 @@ class Flattening {
   Flattened run(const Job& job) {
     for (int round = 0;; ++round) {
       minimise(job);
-      if (cancelled_ || largest_mismatch() <= options_.length_tolerance || round == most_stiffenings) break;
+      if (cancelled_ || largest_mismatch(input_, places()) <= options_.length_tolerance || round == most_stiffenings)
+        break;
       match_stiffness_ *= 10;
     }
     return result();
   }
 
  private:
-  template <std::size_t N>
-  static std::vector<int> unknowns_of(const std::array<int, N>& points) {
-    std::vector<int> all;
-    for (const int point : points) {
-      all.push_back(2 * point);
-      all.push_back(2 * point + 1);
-    }
-    return all;
-  }
-  static std::vector<int> unknowns(const std::array<int, 3>& triangle) { return unknowns_of(triangle); }
-  static std::array<int, 4> points_of(const LengthMatch& match) {
-    return {match.first[0], match.first[1], match.second[0], match.second[1]};
-  }
-  /// Sides that meet at the tip of a dart share a point: each unknown once, the places by `spread`.
-  static std::vector<int> unknowns(const LengthMatch& match) {
-    std::vector<int> all;
-    for (const int unknown : unknowns_of(points_of(match))) {
-      if (std::find(all.begin(), all.end(), unknown) == all.end()) all.push_back(unknown);
-    }
-    return all;
-  }
-
-  static std::vector<int> reduced(const FlatteningInput& input) {
-    std::vector<int> reduced(2 * input.start.size(), 0);
-    for (const FlatteningInput::GrainLine& line : input.grain) {
-      reduced[index(2 * line.from)] = reduced[index(2 * line.from + 1)] = -1;
-      reduced[index(2 * line.to + 1)] = -1;
-    }
-    int next = 0;
-    for (int& r : reduced) {
-      if (r == 0) r = next++;
-    }
-    return reduced;
-  }
-  static std::vector<std::vector<int>> elements(const FlatteningInput& input) {
-    std::vector<std::vector<int>> elements;
-    for (const auto& triangle : input.triangles) elements.push_back(unknowns(triangle));
-    for (const LengthMatch& match : input.matches) elements.push_back(unknowns(match));
-    return elements;
-  }
-
   static Vec2 at(const Vector& q, int point) { return {q[2 * point], q[2 * point + 1]}; }
   PlaneCorners corners(const Vector& q, std::size_t t) const {
     const std::array<int, 3>& triangle = input_.triangles[t];
@@ -119,7 +98,11 @@ class Flattening {
   double longest_step(const Vector& step) const;
   double residual_force(const Vector& gradient) const;
   void minimise(const Job& job);
-  double largest_mismatch() const;
+  std::vector<Vec2> places() const {
+    std::vector<Vec2> all;
+    for (int i = 0; i < static_cast<int>(input_.start.size()); ++i) all.push_back(at(q_, i));
+    return all;
+  }
   Flattened result() const;
 
   const FlatteningInput& input_;
@@ -181,18 +164,7 @@ void Flattening::add_matches(Curvature curvature) {
     Matrix8 hessian = found.gradient * found.gradient.transpose();
     if (curvature == Curvature::Full) hessian += found.value * found.hessian;
     hessian *= match_stiffness_ / match.length;
-    const std::vector<int> each = unknowns_of(points_of(match)), once = unknowns(match);
-    const auto row = [&](int unknown) {
-      return static_cast<std::size_t>(std::find(once.begin(), once.end(), unknown) - once.begin());
-    };
-    for (std::size_t i = 0; i < each.size(); ++i) {
-      for (std::size_t j = 0; j < each.size(); ++j) {
-        const std::size_t r = row(each[i]), c = row(each[j]);
-        if (r < c) continue;
-        const std::int32_t place = match_places_[m][r * (r + 1) / 2 + c];
-        if (place >= 0) matrix_.add_at(place, hessian(static_cast<int>(i), static_cast<int>(j)));
-      }
-    }
+    add_match(match, hessian, match_places_[m], matrix_);
   }
 }
 
@@ -286,32 +258,8 @@ void Flattening::minimise(const Job& job) {
   }
 }
 
-double Flattening::largest_mismatch() const {
-  std::vector<double> sums;
-  for (const LengthMatch& match : input_.matches) {
-    if (index(match.seam) >= sums.size()) sums.resize(index(match.seam) + 1, 0.0);
-    sums[index(match.seam)] += mismatch_of(match, q_).value;
-  }
-  double largest = 0;
-  for (const double sum : sums) largest = std::max(largest, std::abs(sum));
-  return largest;
-}
-
 Flattened Flattening::result() const {
-  Flattened flat;
-  for (int i = 0; i < static_cast<int>(input_.start.size()); ++i) flat.uv.push_back(at(q_, i));
-  for (std::size_t t = 0; t < input_.triangles.size(); ++t) {
-    const PlaneCorners uv = corners(q_, t);
-    const MembraneEnergy parts = flattening_energy(law_, targets_[t], uv, nullptr);
-    flat.energy.warp += parts.warp;
-    flat.energy.weft += parts.weft;
-    flat.energy.shear += parts.shear;
-    flat.strains.push_back(flattening_strain(targets_[t], uv));
-    flat.area += 0.5 * turn(uv);
-    flat.target_area += targets_[t].area;
-    if (!(turn(uv) > 0)) ++flat.flipped;
-  }
-  flat.mismatch = largest_mismatch();
+  Flattened flat = measured(input_, law_, places());
   flat.converged = converged_ && flat.mismatch <= options_.length_tolerance;
   flat.cancelled = cancelled_;
   flat.iterations = iterations_;
@@ -346,6 +294,26 @@ FlatteningInput::GrainLine grain_line(const std::vector<Vec2>& start, const std:
     }
   }
   return best;
+}
+
+Flattened measured(const FlatteningInput& input, const FabricLaw& law, std::vector<Vec2> uv) {
+  Flattened flat;
+  for (std::size_t t = 0; t < input.triangles.size(); ++t) {
+    const std::array<int, 3>& triangle = input.triangles[t];
+    const PlaneCorners corners{uv[index(triangle[0])], uv[index(triangle[1])], uv[index(triangle[2])]};
+    const TargetTriangle target = target_of(input, t);
+    const MembraneEnergy parts = flattening_energy(law, target, corners, nullptr);
+    flat.energy.warp += parts.warp;
+    flat.energy.weft += parts.weft;
+    flat.energy.shear += parts.shear;
+    flat.strains.push_back(flattening_strain(target, corners));
+    flat.area += 0.5 * turn(corners);
+    flat.target_area += target.area;
+    if (!(turn(corners) > 0)) ++flat.flipped;
+  }
+  flat.mismatch = largest_mismatch(input, uv);
+  flat.uv = std::move(uv);
+  return flat;
 }
 
 Flattened flatten(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options, const Job& job) {

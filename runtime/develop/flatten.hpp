@@ -53,4 +53,7 @@ struct FlattenOptions {
 /// Always returns finite places with no triangle flipped.
 Flattened flatten(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options, const Job& job);
 
+/// What stands in the result but how the solver fared, for a pattern at hand.
+Flattened measured(const FlatteningInput& input, const FabricLaw& law, std::vector<Vec2> uv);
+
 }  // namespace toile

@@ -21,6 +21,8 @@ struct FormDistance {
   Spread distance;                // [m] from each vertex to the form's surface
   Spread slip;                    // [m] from each vertex to its own place on the form
   std::vector<double> of_vertex;  // [m] the distances
+  std::vector<Vec3> across;       // unit vectors in which they grow
+  std::vector<Vec3> slips;        // [m] from each vertex's own place on the form to it
 };
 FormDistance form_distance(const SMesh& mesh, const std::vector<Vec3>& form, const std::vector<Vec3>& draped,
                            const std::vector<double>& areas);

@@ -26,7 +26,8 @@ void add_length(Vec2 a, Vec2 b, double factor, int side, Mismatch& sum) {
 Mismatch mismatch(const LengthMatch& match, const std::array<Vec2, 4>& points) {
   Mismatch sum{0, Vector8::Zero(), Matrix8::Zero()};
   add_length(points[0], points[1], 1, 0, sum);
-  add_length(points[2], points[3], -match.ratio, 1, sum);
+  add_length(points[2], points[3], -1, 1, sum);
+  sum.value -= match.longer;
   return sum;
 }
 

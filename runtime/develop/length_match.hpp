@@ -1,5 +1,5 @@
 // Two sides of a seam or a dart that are one line in space: pair by pair their pieces must be equally long in the
-// plane, or in a given proportion where one side is eased onto the other.
+// plane, or one by so much longer where it is eased onto the other.
 #pragma once
 
 #include <array>
@@ -9,18 +9,18 @@
 
 namespace toile {
 
-/// A side of the first edge against a side of the second: e = k (|first| - ratio |second|)^2 / 2.
+/// A side of the first edge against a side of the second: e = k (|first| - |second| - longer)^2 / 2.
 struct LengthMatch {
   std::array<int, 2> first{}, second{};  // points of the P-mesh
-  double ratio = 1;
-  double length = 1;  // [m] in space
-  int seam = 0;       // whose part it is
+  double longer = 0;                     // [m]
+  double length = 1;                     // [m] in space
+  int seam = 0;                          // whose part it is
 };
 
 using Vector8 = Eigen::Matrix<double, 8, 1>;
 using Matrix8 = Eigen::Matrix<double, 8, 8>;
 
-/// |first| - ratio |second|, and its derivatives by the eight coordinates (first a, first b, second a, second b).
+/// |first| - |second| - longer, and its derivatives by the eight coordinates (first a, first b, second a, second b).
 struct Mismatch {
   double value = 0;
   Vector8 gradient;

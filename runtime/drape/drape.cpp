@@ -9,6 +9,7 @@
 #include "runtime/contact/self_intersections.hpp"
 #include "runtime/contact/untangle.hpp"
 #include "runtime/drape/describe.hpp"
+#include "runtime/drape/rest_state.hpp"
 #include "runtime/energy/elastic.hpp"
 #include "runtime/energy/gravity.hpp"
 #include "runtime/mesh/index.hpp"
@@ -18,9 +19,10 @@
 namespace toile {
 namespace {
 
-constexpr double untangling_rate = 1e4;   // [1/s2] how far a push against a crossing spreads
-constexpr double untangling_step = 0.05;  // of the mean edge
-constexpr double carried_rate = 30;       // [1/s2] a form that was carried over needs little holding back
+constexpr double untangling_rate = 1e4;                             // [1/s2] how far a push against a crossing spreads
+constexpr double untangling_step = 0.05;                            // of the mean edge
+constexpr double lowest_rest_lift = 1e-2, highest_rest_lift = 1e8;  // [1/s2]
+constexpr double carried_rate = 30;  // [1/s2] a form that was carried over needs little holding back
 
 std::vector<int> reduced_unknowns(const ClothUnknowns& unknowns, const std::vector<int>& held) {
   std::vector<int> reduced(static_cast<std::size_t>(unknowns.count()), 0);
@@ -99,6 +101,8 @@ class Draping {
   void fit(const Vector& q);
   /// Puts the matrix into an order that keeps its factor sparse.
   void analyse();
+  /// Hands the state of rest to whoever asked for it.
+  void show_rest();
   NewtonOutcome solve_newton(const Job& job);
   NewtonOutcome solve_okabe(const Job& job);
 
@@ -222,8 +226,24 @@ NewtonOutcome Draping::solve_okabe(const Job& job) {
   return {residual <= options_.accuracy, job.is_cancelled(), outcome.iterations, residual, 0};
 }
 
+void Draping::show_rest() {
+  fit(q_);
+  elastic_.foresee(q_, Vector::Zero(q_.size()));
+  // At rest the true Hessian is definite but for motions that nothing resists: the least lift that serves.
+  for (double lift = lowest_rest_lift; lift < highest_rest_lift; lift *= 10) {
+    matrix_.set_zero();
+    for (const Form* form : forms()) form->add_hessian(q_, Curvature::Full, matrix_);
+    matrix_.add_diagonal(inertia(), lift);
+    if (!cholesky_.factorise(matrix_)) continue;
+    options_.at_rest({elastic_, q_, weighs() ? standard_gravity * law_.weight : 0,
+                      [this](const Vector& load) { return cholesky_.solve_free(matrix_, load); }});
+    return;
+  }
+}
+
 Drape Draping::run(const Job& job) {
   const NewtonOutcome outcome = options_.solver == DrapeOptions::Solver::Okabe ? solve_okabe(job) : solve_newton(job);
+  if (options_.at_rest && outcome.converged && layered()) show_rest();
   Drape drape = describe({cloth_, law_, elastic_, weighs() ? &gravity_ : nullptr, contact_.get(),
                           layered() ? &layers_ : nullptr, matrix_.reduced(), q_});
   drape.converged = outcome.converged;

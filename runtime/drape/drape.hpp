@@ -1,6 +1,7 @@
 // Draping: from placed positions to static equilibrium.
 #pragma once
 
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -13,6 +14,8 @@
 
 namespace toile {
 
+struct RestState;
+
 struct DrapeOptions {
   double accuracy = 1e-3;  // residual_relative to reach
   enum class Solver { Newton, Okabe } solver = Solver::Newton;
@@ -23,7 +26,8 @@ struct DrapeOptions {
   double least_gap =
       0;                // [m] of layers of the cloth where its thickness is less: a finer mesh will have to fit between
   double membrane = 1;  // share of its forces of elongation and shear: a coarse mesh locks with all of them
-  bool carried_over = false;  // the start is a form already draped on another mesh, near rest
+  bool carried_over = false;                        // the start is a form already draped on another mesh, near rest
+  std::function<void(const RestState&)> at_rest{};  // called once the cloth has come to rest, if it does
 };
 
 struct Energies {  // [J]

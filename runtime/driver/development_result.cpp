@@ -33,6 +33,13 @@ Result result_of(const Developed& developed) {
   add("warp", summary.strain.warp);
   add("weft", summary.strain.weft);
   add("shear", summary.strain.shear);
+  const Drape& on_form = developed.on_form.drape;
+  std::vector<double> areas;
+  for (const ClothTriangle& triangle : developed.on_form.made->cloth.triangles) {
+    areas.push_back(0.5 * cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]));
+  }
+  result["strain.worst.p95"] = worst_strain_p95(on_form.strain_warp, on_form.strain_weft, on_form.shear_angle, areas);
+  result["darts.proposed"] = static_cast<double>(developed.proposed.size());
   result["area"] = flat.area;
   result["target_area"] = flat.target_area;
   result["seams.mismatch"] = flat.mismatch;

@@ -7,6 +7,7 @@
 #include "compiler/pattern/pattern.hpp"
 #include "compiler/smesh/smesh.hpp"
 #include "runtime/body/body.hpp"
+#include "runtime/develop/darts.hpp"
 #include "runtime/develop/form_distance.hpp"
 #include "runtime/develop/redraw.hpp"
 #include "runtime/drape/drape.hpp"
@@ -44,9 +45,10 @@ struct Developed {
   std::shared_ptr<const MadeGarment> drawn;  // in the charts
   Development development;
   Redrawn redrawn;
-  Garment pattern;  // as redrawn
-  int drapes = 0;   // that the pattern was corrected by
-  Draped on_form;   // the developed mesh in the places where it was drawn: residual strains
+  Garment pattern;                     // as redrawn
+  std::vector<ProposedDart> proposed;  // its darts beyond those drawn
+  int drapes = 0;                      // that the pattern was corrected by
+  Draped on_form;                      // the developed mesh in the places where it was drawn: residual strains
 };
 
 }  // namespace toile

@@ -16,17 +16,19 @@ bool ends_with(const std::filesystem::path& path, std::string_view ending) {
 
 using DrapeWriter = std::string (*)(const Draped&, const std::string& script);
 /// The first ending that fits counts: the report before plain JSON.
-constexpr std::array<std::pair<std::string_view, DrapeWriter>, 5> drape_writers{{
+constexpr std::array<std::pair<std::string_view, DrapeWriter>, 6> drape_writers{{
     {".obj", [](const Draped& d, const std::string&) { return obj(d.view()); }},
     {".ply", [](const Draped& d, const std::string&) { return ply(d.view()); }},
+    {".vtu", [](const Draped& d, const std::string&) { return vtu(d.view()); }},
     {".glb", [](const Draped& d, const std::string&) { return glb(d.view()); }},
     {".report.json", [](const Draped& d, const std::string& script) { return report_json(script, d.view()); }},
     {".json", [](const Draped& d, const std::string&) { return mesh_json(d.made->garment, d.made->mesh); }},
 }};
 
 using PatternWriter = std::string (*)(const Garment&);
-constexpr std::array<std::pair<std::string_view, PatternWriter>, 2> pattern_writers{{
+constexpr std::array<std::pair<std::string_view, PatternWriter>, 3> pattern_writers{{
     {".svg", pattern_svg},
+    {".dxf", pattern_dxf},
     {".json", pattern_json},
 }};
 
@@ -69,13 +71,17 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
 }
 
 std::string development_report(const Developed& developed, const std::string& script) {
-  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn);
+  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn, developed.proposed);
 }
 
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
                                             const std::string& script) {
   if (ends_with(path, ".toile")) {
-    return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string());
+    std::vector<std::string> notes;
+    for (const ProposedDart& dart : developed.proposed) {
+      notes.push_back("Proposed where " + dart.piece + " is drawn on the body: " + slit_text(dart.dart));
+    }
+    return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string(), notes);
   }
   if (ends_with(path, ".report.json")) return development_report(developed, script);
   if (auto pattern = pattern_file(path, developed.pattern)) return pattern;

@@ -11,15 +11,15 @@
 
 namespace toile {
 
-/// A drape as .obj, .ply, .glb, .report.json (the report) or .json (both meshes); nullopt for another ending.
+/// A drape as .obj, .ply, .vtu, .glb, .report.json (the report) or .json (both meshes); nullopt for another ending.
 std::optional<std::string> drape_file(const std::filesystem::path& path, const Draped& draped,
                                       const std::string& script);
 std::string development_report(const Developed& developed, const std::string& script);
-/// A development as .toile (its pattern as text), .report.json, .svg or .json (the pattern), .obj, .ply or .glb (the
-/// cloth on its form); nullopt for another ending.
+/// A development as .toile (its pattern as text), .report.json, .svg, .dxf or .json (the pattern), .obj, .ply, .vtu or
+/// .glb (the cloth on its form); nullopt for another ending.
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
                                             const std::string& script);
-/// A flat pattern as .svg or .json; nullopt for another ending.
+/// A flat pattern as .svg, .dxf or .json; nullopt for another ending.
 std::optional<std::string> pattern_file(const std::filesystem::path& path, const Garment& garment);
 /// The order of sewing as .txt or .json; nullopt for another ending.
 std::optional<std::string> sewing_file(const std::filesystem::path& path, const Garment& garment);

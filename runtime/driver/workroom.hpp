@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <map>
 #include <memory>
 #include <optional>
@@ -86,7 +87,12 @@ class Workroom {
   std::shared_ptr<const Body> body(int number, Location wanted);
   void flatten_to(const Target& target, Developed& developed);
   void correct(const DevelopCommand& command, const Target& form, Developed& developed);
-  std::optional<Draped> drape_on_form(const DrapeCommand& command, const Developed& developed, const Target& form);
+  void propose_darts(const DevelopCommand& command, Developed& developed);
+  void lay_on_form(Developed& developed);
+  using AtRestOnForm = std::function<void(const RestState&, const FormDistance&)>;
+  std::optional<Draped> drape_on_form(const DrapeCommand& command, const Developed& developed, const Target& form,
+                                      const AtRestOnForm& at_rest);
+  void note_strain(const DevelopCommand& command, const Developed& developed);
   void note_development(const DevelopCommand& command, const Developed& developed);
   std::optional<FabricSheet> replacement_fabric();
   /// The meshes that draping begins on, the coarsest first.

@@ -4,16 +4,17 @@
 #include <algorithm>
 
 #include "compiler/pattern/draft.hpp"
+#include "runtime/drape/rest_state.hpp"
+#include "runtime/driver/result.hpp"
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
+#include "runtime/export/pattern_text.hpp"
 #include "runtime/fabric/law.hpp"
 
 namespace toile {
 namespace {
 
 constexpr double outline_tolerance = 0.0002;  // [m] of the redrawn edges
-constexpr int most_corrections = 8;
-constexpr double worth_going_on = 1.5;  // a miss larger than the least so far by this factor ends the corrections
 
 /// What the development leaves in the cloth where it lies on the form, in the words of a drape.
 Drape residual_drape(const Developed& developed, const FabricLaw& law) {
@@ -42,16 +43,6 @@ Drape residual_drape(const Developed& developed, const FabricLaw& law) {
   return drape;
 }
 
-/// Where the cloth stands off the form it is next cut for one that lies deeper by as much.
-void aim_beyond(const Target& form, const Draped& draped, Target& aim) {
-  for (std::size_t v = 0; v < aim.positions.size(); ++v) {
-    const auto surface = draped.body->nearest(form.positions[v], 0.1);
-    if (!surface) continue;
-    const double off = dot(draped.drape.positions[v] - form.positions[v], surface->normal);
-    aim.positions[v] += -std::max(off, 0.0) * surface->normal;
-  }
-}
-
 }  // namespace
 
 std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
@@ -60,6 +51,8 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   if (!developed.drawn) return std::nullopt;
   developed.on_form.body = body(command.body, command.written);
   if (!developed.on_form.body) return std::nullopt;
+  if (command.strain && target(*developed.drawn, *developed.on_form.body)) propose_darts(command, developed);
+  if (interrupted()) return std::nullopt;
   const Garment& garment = developed.drawn->garment;
   const std::optional<Target> form = target(*developed.drawn, *developed.on_form.body);
   if (!form) return std::nullopt;
@@ -79,6 +72,29 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   return developed;
 }
 
+void Workroom::propose_darts(const DevelopCommand& command, Developed& developed) {
+  DraftGarment draft = program_->drafts()[static_cast<std::size_t>(command.garment)];
+  draft.fabric = developed.drawn->garment.fabric;
+  const int triangles = options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
+  DartProposal proposal;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    proposal = toile::propose_darts(draft, *developed.on_form.body, *command.strain, triangles, job_);
+  }
+  if (proposal.darts.empty() || interrupted()) return;
+  auto made = std::make_shared<MadeGarment>();
+  std::vector<Diagnostic> found;
+  made->garment = make_garment(proposal.draft, found);
+  for (const Diagnostic& diagnostic : found) {
+    if (diagnostic.severity == Severity::Error) return diagnose(diagnostic);
+  }
+  made->mesh_options = developed.drawn->mesh_options;
+  made->mesh = sew(made->garment, made->mesh_options);
+  made->cloth = make_cloth(made->mesh);
+  developed.drawn = made;
+  developed.proposed = std::move(proposal.darts);
+}
+
 std::optional<Target> Workroom::target(const MadeGarment& made, const Body& body) {
   Target target = find_target(made.garment, made.mesh, body);
   for (const Target::Trouble& trouble : target.troubles) {
@@ -96,6 +112,14 @@ std::shared_ptr<const Body> Workroom::body_called(const std::string& name, Locat
   return nullptr;
 }
 
+void Workroom::lay_on_form(Developed& developed) {
+  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
+  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
+  flat->cloth = make_cloth(flat->mesh);
+  developed.on_form.made = flat;
+  developed.on_form.drape = residual_drape(developed, make_law(developed.drawn->garment.fabric));
+}
+
 void Workroom::flatten_to(const Target& target, Developed& developed) {
   const Garment& garment = developed.drawn->garment;
   {
@@ -103,52 +127,11 @@ void Workroom::flatten_to(const Target& target, Developed& developed) {
     developed.development = toile::develop(garment, developed.drawn->mesh, target, {}, job_);
   }
   profile_.factorisations += developed.development.flat.factorisations;
-  auto flat = std::make_shared<MadeGarment>(*developed.drawn);
-  flat->mesh = developed_mesh(developed.drawn->mesh, developed.development);
-  flat->cloth = make_cloth(flat->mesh);
-  developed.on_form.made = flat;
-  developed.on_form.drape = residual_drape(developed, make_law(garment.fabric));
-}
-
-// What the cloth misses the form by is added to what it is cut for, again and again, as dies are corrected for the
-// spring-back of the sheet (Gan & Wagoner 2004).
-void Workroom::correct(const DevelopCommand& command, const Target& form, Developed& developed) {
-  Target aim = form;
-  Developed best = developed;
-  double least = 1e300;
-  DrapeCommand draping;
-  draping.garment = command.garment;
-  draping.body = command.body;
-  for (int round = 1; round <= most_corrections; ++round) {
-    const std::optional<Draped> draped = drape_on_form(draping, developed, form);
-    if (!draped) return;
-    const double miss = draped->form->distance.p95;
-    listener_->noted(fmt::format("{}: drape {}: 95 % within {:.2f} mm of the form", developed.drawn->garment.name,
-                                 round, 1000 * miss));
-    const bool better = miss < least;
-    const bool hopeless = miss > worth_going_on * least;
-    if (better) {
-      least = miss;
-      best = developed;
-    }
-    best.drapes = round;
-    if (miss <= *command.within || hopeless || round == most_corrections) break;
-    aim_beyond(form, *draped, aim);
-    flatten_to(aim, developed);
-  }
-  developed = std::move(best);
-  if (least <= *command.within) return;
-  outcome_.unsettled = true;
-  diagnose(at_place(Severity::Warning, "W0514", command.written,
-                    fmt::format("no pattern was found that {} takes this form by: 95 % of the cloth come within {:.1f} "
-                                "mm of it, not {:.1f} mm",
-                                developed.drawn->garment.name, 1000 * least, 1000 * *command.within),
-                    "developed here",
-                    "cloth that is draped cannot follow hollows: hold or sew it there, or ask for less"));
+  lay_on_form(developed);
 }
 
 std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const Developed& developed,
-                                              const Target& form) {
+                                              const Target& form, const AtRestOnForm& at_rest) {
   Draped draped;
   draped.made = developed.on_form.made;
   draped.body = developed.on_form.body;
@@ -157,6 +140,13 @@ std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const
       start_on_form(made.mesh.s, made.garment.wears, form, *draped.body, make_law(made.garment.fabric).thickness / 2);
   DrapeOptions options = drape_options(command);
   options.carried_over = true;
+  if (at_rest) {
+    options.at_rest = [&](const RestState& rest) {
+      std::vector<Vec3> positions;
+      for (int v = 0; v < made.mesh.s.vertex_count; ++v) positions.push_back(to_vec3(rest.q.segment<3>(3 * v)));
+      at_rest(rest, form_distance(made.mesh.s, start.positions, positions, made.cloth.area_of_vertex));
+    };
+  }
   {
     const Stopwatch watch(profile_.solve_s);
     draped.drape = toile::drape(made.cloth, made.garment.fabric, draped.body.get(), start, options, job_);
@@ -169,7 +159,7 @@ std::optional<Draped> Workroom::drape_on_form(const DrapeCommand& command, const
 
 std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Developed& developed) {
   std::optional<Draped> draped = drape_on_form(
-      command, developed, find_target(developed.drawn->garment, developed.drawn->mesh, *developed.on_form.body));
+      command, developed, find_target(developed.drawn->garment, developed.drawn->mesh, *developed.on_form.body), {});
   if (!draped) return std::nullopt;
   note_drape(command, *draped);
   const Spread& distance = draped->form->distance;
@@ -177,6 +167,18 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command, const Develop
                                draped->made->garment.name, 1000 * distance.mean, 1000 * distance.p95,
                                1000 * distance.max));
   return draped;
+}
+
+void Workroom::note_strain(const DevelopCommand& command, const Developed& developed) {
+  const double left = result_of(developed).at("strain.worst.p95");
+  listener_->noted(fmt::format("{}: {} darts proposed, 95 % of the cloth strained by {:.2f} % at most",
+                               developed.drawn->garment.name, developed.proposed.size(), 100 * left));
+  if (left <= *command.strain) return;
+  diagnose(at_place(Severity::Warning, "W0517", command.written,
+                    fmt::format("darts do not take the strain out of {}: with those proposed 95 % of the cloth are "
+                                "strained by {:.2f} % at most, not {:.2f} %",
+                                developed.drawn->garment.name, 100 * left, 100 * *command.strain),
+                    "developed here", "divide the piece by a seam where the picture of the strain is darkest"));
 }
 
 void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {
@@ -191,6 +193,11 @@ void Workroom::note_development(const DevelopCommand& command, const Developed& 
         return darts;
       }(),
       flat.energy.warp + flat.energy.weft + flat.energy.shear, 1000 * flat.mismatch, 1000 * developed.redrawn.error));
+  for (const ProposedDart& dart : developed.proposed) {
+    listener_->noted(fmt::format("proposed for {}: {}; without it {:.3g} J and {:.2f} % would be left", dart.piece,
+                                 slit_text(dart.dart), dart.without.energy, 100 * dart.without.p95));
+  }
+  if (command.strain) note_strain(command, developed);
   if (flat.converged) return;
   outcome_.unsettled = true;
   diagnose(at_place(Severity::Warning, "W0513", command.written,

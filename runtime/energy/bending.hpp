@@ -33,4 +33,8 @@ BendingEnergy bending_energy(const FabricLaw& law, const BendingShape& shape, co
 /// Second derivative by the angles.
 Matrix3 bending_hessian(const FabricLaw& law, const BendingShape& shape, const Angles& angles);
 
+/// How the moments change where the corners' places in the plane (u0, v0, u1, …) do, and the angles stay.
+using Matrix36 = Eigen::Matrix<double, 3, 6>;
+Matrix36 bending_by_pattern(const FabricLaw& law, const std::array<Vec2, 3>& uv, const Angles& angles);
+
 }  // namespace toile

@@ -202,14 +202,37 @@ double ElasticForm::energy(const Vector& q, Vector* gradient) const {
 
 void ElasticForm::add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const {
   const std::vector<double> theta = angles(q);
+  add_triangles(q, theta, dihedral_slopes(q), curvature, matrix);
+  if (curvature == Curvature::Full) add_hinges(q, theta, matrix);
+}
+
+std::vector<Vector12> ElasticForm::dihedral_slopes(const Vector& q) const {
   std::vector<Vector12> slopes(hinges_.size());
   parallel_for(hinges_.size(), [&](size_t begin, size_t end) {
     for (size_t h = begin; h < end; ++h) {
       if (hinges_[h].vertices[3] >= 0) slopes[h] = dihedral_gradient(hinge_points(hinges_[h], q));
     }
   });
-  add_triangles(q, theta, slopes, curvature, matrix);
-  if (curvature == Curvature::Full) add_hinges(q, theta, matrix);
+  return slopes;
+}
+
+ElasticForm::AnglesByUnknowns ElasticForm::angles_by_unknowns(size_t triangle,
+                                                              const std::vector<Vector12>& slopes) const {
+  const Element& element = elements_[triangle];
+  const auto coordinates = static_cast<Eigen::Index>(3 * element.vertices.size());
+  AnglesByUnknowns by_unknowns(3, coordinates + 3);
+  by_unknowns.setZero();
+  for (int corner = 0; corner < 3; ++corner) {
+    const HingeSide& side = triangles_[triangle].sides[static_cast<size_t>(corner)];
+    by_unknowns(corner, coordinates + corner) = side.turn;
+    if (side.tilt == 0) continue;
+    for (int k = 0; k < 4; ++k) {
+      const int at = element.of_hinge[static_cast<size_t>(corner)][static_cast<size_t>(k)];
+      by_unknowns.block<1, 3>(corner, 3 * at) +=
+          side.tilt / 2 * slopes[static_cast<size_t>(side.hinge)].segment<3>(3 * k).transpose();
+    }
+  }
+  return by_unknowns;
 }
 
 void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& theta, const std::vector<Vector12>& slopes,
@@ -222,21 +245,7 @@ void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& thet
     parallel_for(count, [&](size_t begin, size_t end) {
       for (size_t i = begin; i < end; ++i) {
         const Triangle& triangle = triangles_[first + i];
-        const Element& element = elements_[first + i];
-        const auto coordinates = static_cast<Eigen::Index>(3 * element.vertices.size());
-        // The three angles by the element's unknowns.
-        Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, 21> by_unknowns(3, coordinates + 3);
-        by_unknowns.setZero();
-        for (int corner = 0; corner < 3; ++corner) {
-          const HingeSide& side = triangle.sides[static_cast<size_t>(corner)];
-          by_unknowns(corner, coordinates + corner) = side.turn;
-          if (side.tilt == 0) continue;
-          for (int k = 0; k < 4; ++k) {
-            const int at = element.of_hinge[static_cast<size_t>(corner)][static_cast<size_t>(k)];
-            by_unknowns.block<1, 3>(corner, 3 * at) +=
-                side.tilt / 2 * slopes[static_cast<size_t>(side.hinge)].segment<3>(3 * k).transpose();
-          }
-        }
+        const AnglesByUnknowns by_unknowns = angles_by_unknowns(first + i, slopes);
         const Matrix3 by_angles = bending_hessian(law_, triangle.bending, triangle_angles(triangle, theta, q));
         dense[i].noalias() = by_unknowns.transpose() * (by_angles * by_unknowns);
         const Corners x = corners(triangle.vertices, q);
@@ -302,6 +311,23 @@ void ElasticForm::foresee(const Vector& q, const Vector& step) {
       foreseen_[t] = foreseen_strain(membrane, corners(vertices, q), corners(vertices, step));
     }
   });
+}
+
+std::vector<PatternCoupling> ElasticForm::pattern_couplings(const Cloth& cloth, const Vector& q) const {
+  const std::vector<double> theta = angles(q);
+  const std::vector<Vector12> slopes = dihedral_slopes(q);
+  std::vector<PatternCoupling> couplings(triangles_.size());
+  parallel_for(triangles_.size(), [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t) {
+      const Triangle& triangle = triangles_[t];
+      couplings[t].unknowns = unknowns_of(elements_[t], triangle);
+      couplings[t].by_corners = angles_by_unknowns(t, slopes).transpose() *
+                                bending_by_pattern(law_, cloth.triangles[t].uv, triangle_angles(triangle, theta, q));
+      couplings[t].by_corners.topRows<9>() +=
+          membrane_by_pattern(law_, triangle.membrane, corners(triangle.vertices, q));
+    }
+  });
+  return couplings;
 }
 
 void ElasticForm::accept(const Vector& q) {

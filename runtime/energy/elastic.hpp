@@ -41,6 +41,13 @@ struct ElasticParts {  // [J]
   double total() const { return stretch.warp + stretch.weft + stretch.shear + bend.warp + bend.weft + bend.twist; }
 };
 
+/// How the gradient by some unknowns changes where the corners of a triangle move in the plane (u0, v0, u1, …) and the
+/// cloth stays in space. The first nine unknowns are the coordinates of the triangle's corners.
+struct PatternCoupling {
+  std::vector<int> unknowns;
+  Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 21, 6> by_corners;
+};
+
 class ElasticForm : public Form {
  public:
   ElasticForm(const Cloth& cloth, const FabricLaw& law);
@@ -64,6 +71,8 @@ class ElasticForm : public Form {
   /// Per triangle.
   std::vector<MembraneStrain> strains(const Vector& q) const;
   std::vector<Curvatures> curvatures(const Vector& q) const;
+  /// One a triangle of the cloth that the form was made of.
+  std::vector<PatternCoupling> pattern_couplings(const Cloth& cloth, const Vector& q) const;
   /// Sum over vertices of the norms of what each triangle's membrane puts on them, over the number of vertices [N].
   double mean_internal_force(const Vector& q) const;
   /// The largest bending rigidity in reach of a hinge's rotation, to scale its regularisation [N m].
@@ -88,6 +97,10 @@ class ElasticForm : public Form {
   Hinge hinge_points(const ClothHinge& hinge, const Vector& q) const;
   double angle(std::size_t hinge, const Vector& q) const;
   std::vector<double> angles(const Vector& q) const;
+  using AnglesByUnknowns = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, 21>;
+  /// A triangle's three angles by its element's unknowns; `slopes` are the gradients of the dihedral angles.
+  AnglesByUnknowns angles_by_unknowns(std::size_t triangle, const std::vector<Vector12>& slopes) const;
+  std::vector<Vector12> dihedral_slopes(const Vector& q) const;
   Angles triangle_angles(const Triangle& triangle, const std::vector<double>& theta, const Vector& q) const;
   void add_triangles(const Vector& q, const std::vector<double>& theta, const std::vector<Vector12>& slopes,
                      Curvature curvature, SparseMatrix& matrix) const;

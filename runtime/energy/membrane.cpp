@@ -155,4 +155,25 @@ Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const
   return hessian;
 }
 
+// With D_i the gradient of a corner's shape function, moving corner j along the axis k by a unit makes the area grow by
+// D_j(k) of itself, takes D_i(k) D_j from every D_i, and deforms as moving the corner in space along -f_k would.
+Matrix96 membrane_by_pattern(const FabricLaw& law, const MembraneShape& shape, const Corners& x) {
+  Vector9 gradient;
+  membrane_energy(law, shape, x, &gradient);
+  const Matrix9 hessian = membrane_hessian(law, shape, x, Curvature::Full);
+  Matrix96 mixed;
+  for (const int axis : {0, 1}) {
+    const std::array<double, 3>& slope = axis == 0 ? shape.du : shape.dv;
+    const Vector3 thread = slope[0] * x[0] + slope[1] * x[1] + slope[2] * x[2];
+    for (int j = 0; j < 3; ++j) {
+      for (int i = 0; i < 3; ++i) {
+        mixed.block<3, 1>(3 * i, 2 * j + axis) = slope[static_cast<std::size_t>(j)] * gradient.segment<3>(3 * i) -
+                                                 slope[static_cast<std::size_t>(i)] * gradient.segment<3>(3 * j) -
+                                                 hessian.block<3, 3>(3 * i, 3 * j) * thread;
+      }
+    }
+  }
+  return mixed;
+}
+
 }  // namespace toile

@@ -41,4 +41,8 @@ MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape,
 Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x,
                          const MembraneStrain& stressed, Curvature curvature);
 
+/// How the gradient changes where the corners' places in the plane (u0, v0, u1, …) do, and the triangle stays in space.
+using Matrix96 = Eigen::Matrix<double, 9, 6>;
+Matrix96 membrane_by_pattern(const FabricLaw& law, const MembraneShape& shape, const Corners& x);
+
 }  // namespace toile

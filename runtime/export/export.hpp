@@ -22,6 +22,8 @@ struct DrapedGarment {
 std::string obj(const DrapedGarment& draped);
 /// Binary little-endian; positions, uv, strains and pressure as vertex properties.
 std::string ply(const DrapedGarment& draped);
+/// VTK's XML format in ASCII; strains and stresses of each triangle, uv and pressure of each point.
+std::string vtu(const DrapedGarment& draped);
 /// glTF 2.0 binary, y up as its convention has it; the textile's repeat as an embedded PNG texture.
 std::string glb(const DrapedGarment& draped);
 /// Both meshes as JSON: points_m, triangles, warp, sewn vertices, edges, topology.
@@ -31,6 +33,9 @@ std::string mesh_json(const Garment& garment, const SewnMesh& mesh);
 /// which edge is sewn to which.
 std::string pattern_svg(const Garment& garment);
 std::string pattern_json(const Garment& garment);
+/// The same for cutters and pattern programs: DXF in millimetres, a block a piece, layers as the apparel standards have
+/// them.
+std::string pattern_dxf(const Garment& garment);
 
 /// The order of sewing, step by step, with lengths, allowances, notches and directions of pressing.
 std::string sewing_text(const Garment& garment);

@@ -33,7 +33,7 @@ std::string angle_text(double angle) {
 
 class PatternWriter {
  public:
-  explicit PatternWriter(const Redrawn& redrawn) : redrawn_(redrawn) {}
+  PatternWriter(const Redrawn& redrawn, const std::vector<std::string>& notes) : redrawn_(redrawn), notes_(notes) {}
 
   std::string write(const std::string& source) {
     const std::string cloth = write_fabric(source);
@@ -64,8 +64,10 @@ class PatternWriter {
   std::string write_fabric(const std::string& source) {
     const FabricSheet& sheet = redrawn_.draft.fabric;
     const std::string name = (sheet.name.empty() ? "cloth" : sheet.name) + "_of_" + redrawn_.draft.name;
-    put("// Developed by {}: each edge lies within {} mm of the solved outline.\n\n", source,
+    put("// Developed by {}: each edge lies within {} mm of the solved outline.\n", source,
         plain(1000 * std::max(redrawn_.error, 1e-5), 2));
+    for (const std::string& note : notes_) put("// {}\n", note);
+    put("\n");
     put("fabric {} {{\n", name);
     row("LT", sheet.lt, 1, "");
     row("WT", sheet.wt, 100 * gram_force, " gf*cm/cm^2");
@@ -152,13 +154,19 @@ class PatternWriter {
   }
 
   const Redrawn& redrawn_;
+  const std::vector<std::string>& notes_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string pattern_text(const Redrawn& redrawn, const std::string& source) {
-  return PatternWriter(redrawn).write(source);
+std::string slit_text(const DraftDart& dart) {
+  const std::string to = dart.tip ? "tip " + point_text(rounded(*dart.tip)) : "depth " + in_cm_text(dart.depth);
+  return fmt::format("dart {} at {} of {} {{ {} }}", dart.name, in_cm_text(dart.at), dart.edge, to);
+}
+
+std::string pattern_text(const Redrawn& redrawn, const std::string& source, const std::vector<std::string>& notes) {
+  return PatternWriter(redrawn, notes).write(source);
 }
 
 }  // namespace toile

@@ -2,6 +2,7 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/develop/darts.hpp"
 #include "runtime/develop/redraw.hpp"
 #include "runtime/export/json_layout.hpp"
 #include "runtime/report/summary.hpp"
@@ -82,6 +83,22 @@ Json darts(const DrapedGarment& on_form, const Development& development) {
   return all;
 }
 
+Json json(const std::vector<ProposedDart>& proposed) {
+  Json all = Json::array();
+  for (const ProposedDart& each : proposed) {
+    const Vec2 tip = each.dart.tip.value_or(Vec2{});
+    all.push_back({{"piece", each.piece},
+                   {"dart", each.dart.name},
+                   {"edge", each.dart.edge},
+                   {"at_m", each.dart.at},
+                   {"tip_m", {tip.x, tip.y}},
+                   {"depth_m", each.dart.depth},
+                   {"without_energy_J", each.without.energy},
+                   {"without_strain_p95", each.without.p95}});
+  }
+  return all;
+}
+
 std::string text(const Json& root) {
   return laid_out(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
@@ -103,7 +120,7 @@ std::string report_json(const std::string& script, const DrapedGarment& draped) 
 }
 
 std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
-                        const Redrawn& redrawn) {
+                        const Redrawn& redrawn, const std::vector<ProposedDart>& proposed) {
   const Summary summary = summarise(on_form);
   const Flattened& flat = development.flat;
   return text({{"schema", 1},
@@ -127,7 +144,8 @@ std::string report_json(const std::string& script, const DrapedGarment& on_form,
                  {"flipped_triangles", flat.flipped},
                  {"seam_mismatch_m", flat.mismatch},
                  {"outline_error_m", redrawn.error},
-                 {"darts", darts(on_form, development)}}}});
+                 {"darts", darts(on_form, development)},
+                 {"darts_proposed", json(proposed)}}}});
 }
 
 std::string profile_json(const Profile& profile) {

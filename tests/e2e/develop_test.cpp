@@ -74,6 +74,31 @@ TEST(DevelopCommand, IsFollowedByADrapeOnTheSameBody) {
   EXPECT_THAT(ran.out + ran.err, HasSubstr("from its form: mean"));
 }
 
+TEST(DevelopCommand, CorrectsThePatternUntilItIsNearTheForm) {
+  const CommandLine call;
+  call.scratch.write("bodice.toile", std::string(bodice) +
+                                         "develop bodice as first\n"
+                                         "drape first on torso as uncorrected\n"
+                                         "develop bodice as flat until within 2mm\n"
+                                         "drape flat on torso as worn\n"
+                                         "print flat.solve.drapes, uncorrected.form.distance.p95\n"
+                                         "expect uncorrected.form.distance.p95 > 4mm\n"
+                                         "expect worn.form.distance.p95 < 2mm\n"
+                                         "expect flat.solve.drapes <= 8\n"
+                                         "expect flat.seams.mismatch < 0.1mm\n"
+                                         "expect flat.solve.flipped == 0\n");
+  const Called ran = call.toile("run bodice.toile --triangles 500");
+  EXPECT_EQ(ran.exit_code, 0) << ran.err << ran.out;
+}
+
+TEST(DevelopCommand, SaysWhenNoPatternReachesTheForm) {
+  const CommandLine call;
+  call.scratch.write("bodice.toile", std::string(bodice) + "develop bodice as flat until within 0.01mm\n");
+  const Called ran = call.toile("run bodice.toile --triangles 200");
+  EXPECT_EQ(ran.exit_code, 3) << ran.err;
+  EXPECT_THAT(ran.err, HasSubstr("W0514"));
+}
+
 TEST(DevelopCommand, ShowsThePieceThatLeavesTheBody) {
   const CommandLine call;
   std::string high = bodice;

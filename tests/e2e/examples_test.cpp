@@ -21,12 +21,15 @@ const std::map<std::string, std::vector<std::string>> examples{
     {"poncho", {"poncho.svg", "poncho.png", "poncho.report.json"}},
     {"trousers", {"trousers.svg", "trousers.png", "trousers.report.json"}},
     {"torus", {"torus.svg", "torus.png", "torus.report.json"}},
-    {"developed_bodice", {"bodice.toile", "bodice.svg", "bodice.report.json", "residual.png", "worn.png"}},
+    {"developed_bodice",
+     {"bodice.toile", "bodice.svg", "bodice.dxf", "bodice.report.json", "residual.png", "residual.vtu", "worn.png"}},
     {"developed_yoke", {"yoke.toile", "yoke.svg", "residual.png", "worn.png"}},
     {"hat", {"gore.toile", "gore.svg", "residual.png"}},
+    {"bra_cup", {"cup.toile", "cup.svg", "cup.dxf", "residual.png"}},
+    {"stool_cover", {"cover.toile", "cover.svg", "cover.report.json", "residual.png"}},
 };
 /// Those have no pattern to drape until they are developed.
-const std::set<std::string> developed{"developed_bodice", "developed_yoke", "hat"};
+const std::set<std::string> developed{"bra_cup", "developed_bodice", "developed_yoke", "hat", "stool_cover"};
 
 class Example : public testing::TestWithParam<std::string> {};
 

@@ -283,13 +283,15 @@ TEST(Statement, Commands) {
 
 TEST(Statement, PiecesDrawnOnABodyAndTheirDevelopment) {
   const Script script(
-      "garment g {\n  piece back on form.waist = front with { }\n}\ndevelop g as flat until within 3mm\ndevelop g");
+      "garment g {\n  piece back on form.waist = front with { }\n}\ndevelop g as flat with darts to 2% until within "
+      "3mm\ndevelop g");
   const auto piece = script.in_garment<Piece>();
   EXPECT_EQ(script(piece.on()), "form.waist");
   EXPECT_EQ(script(piece.base()), "front");
   const auto develops = all<Develop>(script.file());
   EXPECT_EQ(script(develops.at(0).garment()), "g");
   EXPECT_EQ(script(develops.at(0).name()), "flat");
+  EXPECT_EQ(script(develops.at(0).strain()), "2%");
   EXPECT_EQ(script(develops.at(0).within()), "3mm");
   EXPECT_FALSE(develops.at(1).name());
 }

@@ -89,7 +89,7 @@ TEST(Commands, OutputsStayInTheirFolder) {
                       "render worn to 3cm\n");
   EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0501 18:16"), StartsWith("E0501 19:16"),
                                          StartsWith("E0501 20:16"), AllOf(StartsWith("E0503 21:16"), HasSubstr(".png")),
-                                         AllOf(StartsWith("E0503 22:17"), HasSubstr(".svg or .json")),
+                                         AllOf(StartsWith("E0503 22:17"), HasSubstr(".svg, .dxf or .json")),
                                          StartsWith("E0502 24:16"), StartsWith("E0201 25:16")));
 }
 

@@ -5,6 +5,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <numbers>
 
 #include "runtime/develop/redraw.hpp"
 #include "tests/support/flat_region.hpp"
@@ -149,6 +150,33 @@ TEST(Develop, GivesPiecesThatShareASeamTheSameLength) {
                               {seam("front", "right", "side", "left")});
   expect_sound(made);
   EXPECT_NEAR(edge_length(made, 0, "right"), edge_length(made, 1, "left"), 1e-4);
+}
+
+TEST(Develop, MakesTheFirstSideOfAnEasedSeamLonger) {
+  DraftSeam eased = seam("front", "right", "side", "left");
+  eased.fullness = Seam::Fullness::Ease;
+  eased.stated = 0.012;
+  const Made made = developed({panel("front", -0.1, 0.95, 0.05, 1.2), panel("side", 0.05, 0.95, 0.2, 1.2)}, {eased});
+  expect_sound(made);
+  EXPECT_NEAR(edge_length(made, 0, "right") - edge_length(made, 1, "left"), 0.012, 1e-4);
+}
+
+TEST(Develop, TurnsAFreeGrainWhereItCostsLeast) {
+  const auto total = [](const Made& made) {
+    const MembraneEnergy& energy = made.development.flat.energy;
+    return energy.warp + energy.weft + energy.shear;
+  };
+  DraftPiece front = panel("front", -0.1, 1.0, 0.1, 1.25);
+  double least = 1e300;
+  for (const double angle : {-90.0, -60.0, -45.0, -30.0, 0.0}) {
+    front.warp = direction(angle * std::numbers::pi / 180);
+    least = std::min(least, total(developed({front})));
+  }
+  front.warp = {0, -1};
+  front.free_grain = true;
+  const Made free = developed({front});
+  expect_sound(free);
+  EXPECT_LE(total(free), least * (1 + 1e-6));
 }
 
 TEST(Develop, ClosesASeamAtTheBack) {

@@ -122,7 +122,7 @@ TEST(Flattening, CostsWithoutBoundAsATriangleShrinksToALine) {
 }
 
 TEST(LengthMatch, HasTheDerivativesOfItsMismatch) {
-  LengthMatch match{{0, 1}, {2, 3}, 1.1};
+  LengthMatch match{{0, 1}, {2, 3}, 0.002};
   std::array<Vec2, 4> points{Vec2{0, 0}, Vec2{0.01, 0.004}, Vec2{0.1, 0.02}, Vec2{0.107, 0.011}};
   const Mismatch found = mismatch(match, points);
   const double h = 1e-7;

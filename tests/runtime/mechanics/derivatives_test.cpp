@@ -217,6 +217,36 @@ TEST(Elastic, HessianOfTheWholeClothMatchesDifferences) {
   }
 }
 
+TEST(Elastic, GradientFollowsThePatternAsDifferencesDo) {
+  const Crumpled c;
+  const std::vector<PatternCoupling> couplings = c.form.pattern_couplings(c.sheet.cloth, c.q);
+  const auto gradient_with = [&](std::size_t t, std::size_t corner, Vec2 change) {
+    Cloth cloth = c.sheet.cloth;
+    cloth.triangles[t].uv[corner] = cloth.triangles[t].uv[corner] + change;
+    Vector gradient = Vector::Zero(c.q.size());
+    ElasticForm(cloth, make_law(wool())).energy(c.q, &gradient);
+    return gradient;
+  };
+  for (const std::size_t t : {std::size_t{0}, std::size_t{5}, c.sheet.cloth.triangles.size() - 1}) {
+    const double scale = couplings[t].by_corners.cwiseAbs().maxCoeff();
+    for (int column = 0; column < 6; ++column) {
+      Vector by_pattern = Vector::Zero(c.q.size());
+      for (std::size_t k = 0; k < couplings[t].unknowns.size(); ++k) {
+        by_pattern[couplings[t].unknowns[k]] += couplings[t].by_corners(static_cast<Eigen::Index>(k), column);
+      }
+      for (Eigen::Index i = 0; i < c.q.size(); ++i) {
+        const double slope = derivative(
+            [&](double h) {
+              return gradient_with(t, static_cast<std::size_t>(column / 2),
+                                   column % 2 == 0 ? Vec2{h, 0} : Vec2{0, h})[i];
+            },
+            1e-7);
+        EXPECT_NEAR(by_pattern[i], slope, 1e-6 * scale) << t << ", " << column << ", " << i;
+      }
+    }
+  }
+}
+
 TEST(Elastic, RigidMotionOfAFlatSheetCostsNothing) {
   const test::Sheet sheet = rectangle(0.1, 0.06, 7, 5);
   const ElasticForm form(sheet.cloth, make_law(wool()));
