@@ -41,9 +41,12 @@ struct ElasticParts {  // [J]
   double total() const { return stretch.warp + stretch.weft + stretch.shear + bend.warp + bend.weft + bend.twist; }
 };
 
+/// How the friction inside the cloth acts: as on the loading branch everywhere, or with the history of each triangle.
+enum class Loops { LoadingBranch, Remembered };
+
 class ElasticForm : public Form {
  public:
-  ElasticForm(const Cloth& cloth, const FabricLaw& law);
+  ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops = Loops::LoadingBranch);
 
   const ClothUnknowns& unknowns() const { return unknowns_; }
   const std::vector<ClothHinge>& hinges() const { return hinges_; }
@@ -55,6 +58,8 @@ class ElasticForm : public Form {
   double energy(const Vector& q, Vector* gradient) const override;
   void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
   void accept(const Vector& q) override;
+  /// Takes q into the history of the loops: a step of the test, or of the wearing, ends there.
+  void remember(const Vector& q);
 
   ElasticParts parts(const Vector& q) const;
   /// Per triangle.
@@ -78,6 +83,7 @@ class ElasticForm : public Form {
     std::vector<std::int32_t> places;
   };
 
+  const ClothMemory* memory(std::size_t triangle) const { return memory_.empty() ? nullptr : &memory_[triangle]; }
   void make_hinges(const Cloth& cloth);
   void make_elements();
   std::vector<int> unknowns_of(const Element& element, const Triangle& triangle) const;
@@ -98,6 +104,7 @@ class ElasticForm : public Form {
   std::vector<std::vector<std::int32_t>> hinge_places_;
   std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
   std::vector<double> rotation_stiffness_;
+  std::vector<ClothMemory> memory_;  // of each triangle; empty where nothing is remembered
 };
 
 }  // namespace toile

@@ -109,11 +109,12 @@ MembraneStrain membrane_strain(const MembraneShape& shape, const Corners& x) {
   return {f.warp_length - 1, f.weft_length - 1, shear_angle(f)};
 }
 
-MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient) {
+MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient,
+                               const ClothMemory* memory) {
   const Threads f = threads(shape, x);
   const Density warp = law.warp(f.warp_length - 1);
   const Density weft = law.weft(f.weft_length - 1);
-  const Density shear = law.shear(shear_angle(f));
+  const Density shear = density(law.shear, shear_angle(f), memory != nullptr ? &memory->shear : nullptr);
   if (gradient != nullptr) {
     const Vector3 by_fu = warp.force * f.warp + shear.force / f.warp_length * f.warp_turn;
     const Vector3 by_fv = weft.force * f.weft + shear.force / f.weft_length * f.weft_turn;
@@ -124,9 +125,11 @@ MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape,
   return {shape.area * warp.energy, shape.area * weft.energy, shape.area * shear.energy};
 }
 
-Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Curvature curvature) {
+Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Curvature curvature,
+                         const ClothMemory* memory) {
   const Threads f = threads(shape, x);
-  Matrix6 by_f = shear_hessian(law.shear(shear_angle(f)), f, curvature);
+  const Density shear = density(law.shear, shear_angle(f), memory != nullptr ? &memory->shear : nullptr);
+  Matrix6 by_f = shear_hessian(shear, f, curvature);
   by_f.topLeftCorner<3, 3>() += elongation_hessian(law.warp(f.warp_length - 1), f.warp, f.warp_length, curvature);
   by_f.bottomRightCorner<3, 3>() += elongation_hessian(law.weft(f.weft_length - 1), f.weft, f.weft_length, curvature);
   Matrix9 hessian;

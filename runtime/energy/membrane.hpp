@@ -32,8 +32,11 @@ struct MembraneEnergy {
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
-/// Energies; the gradient by the nine coordinates where `gradient` is given.
-MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient);
-Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Curvature curvature);
+/// Energies; the gradient by the nine coordinates where `gradient` is given. Without a memory shear is on its loading
+/// branch.
+MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient,
+                               const ClothMemory* memory = nullptr);
+Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Curvature curvature,
+                         const ClothMemory* memory = nullptr);
 
 }  // namespace toile
