@@ -91,6 +91,12 @@ PlotPanel panel(const std::string& title, const std::string& across, double acro
 
 }  // namespace
 
+std::vector<PlotPanel> drawn(const KesReading& reading) {
+  return {panel("Tensile", "elongation [%]", 0.01, "force [gf/cm]", gf_per_cm, reading.tensile),
+          panel("Shear", "angle [deg]", degree, "force [gf/cm]", gf_per_cm, reading.shear),
+          panel("Bending", "curvature [1/cm]", 100, "moment [gf cm/cm]", gf_cm_per_cm, reading.bending)};
+}
+
 void test_fabric(Workroom& workroom, const std::string& fabric, const std::filesystem::path& drawing) {
   const std::optional<FabricSheet> measured = workroom.fabric_called(fabric);
   if (!measured) return;
@@ -104,11 +110,7 @@ void test_fabric(Workroom& workroom, const std::string& fabric, const std::files
       fmt::format("{:16} {:>9} {:>9}   {:>9} {:>9}   {:>9} {:>9}", "", "warp", "weft", "warp", "weft", "warp", "weft"));
   for (const SheetRow& row : sheet_rows) print_row(workroom, row, *measured, in, reading.sheet);
   if (!reading.trouble.empty()) workroom.unsettled(reading.trouble + " did not come to rest");
-  workroom.write(
-      drawing,
-      plot_svg({panel("Tensile", "elongation [%]", 0.01, "force [gf/cm]", gf_per_cm, reading.tensile),
-                panel("Shear", "angle [deg]", degree, "force [gf/cm]", gf_per_cm, reading.shear),
-                panel("Bending", "curvature [1/cm]", 100, "moment [gf cm/cm]", gf_cm_per_cm, reading.bending)}));
+  workroom.write(drawing, plot_svg(drawn(reading)));
 }
 
 }  // namespace toile

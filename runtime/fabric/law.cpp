@@ -195,8 +195,15 @@ FabricSheet with_class_values(FabricSheet sheet) {
   const auto take = [](auto& row, auto value) {
     if (!row) row = value;
   };
-  take(sheet.emt, WarpWeft{0.05, 0.05});
+  // Of LT, WT and EMT two say the third: WT = LT Fm EMT / 2.
+  const auto double_work = [&sheet](const std::optional<WarpWeft>& by) {
+    return WarpWeft{2 * sheet.wt->warp / kes_force / by->warp, 2 * sheet.wt->weft / kes_force / by->weft};
+  };
+  if (sheet.wt && sheet.lt) take(sheet.emt, double_work(sheet.lt));
+  if (sheet.wt && sheet.emt) take(sheet.lt, double_work(sheet.emt));
   take(sheet.lt, WarpWeft{0.65, 0.65});
+  if (sheet.wt) take(sheet.emt, double_work(sheet.lt));
+  take(sheet.emt, WarpWeft{0.05, 0.05});
   take(sheet.g, WarpWeft{0.6 * 56.188, 0.6 * 56.188});
   take(sheet.hg, WarpWeft{});
   take(sheet.hg5, WarpWeft{});
