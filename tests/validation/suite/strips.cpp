@@ -79,7 +79,7 @@ void add_elastica(const ElasticaCase& of, const Elastica& tip, Chapter& chapter)
   const double weight = weight_of(tip.gamma, along);
   const double twist = 0.5 * std::sqrt(of.rigidity.warp * of.rigidity.weft);
   Clamped strip(sheet(of.mesh, strip_length, strip_length / 8, strip_length / 40, of.grain),
-                bending_cloth(of.rigidity, twist, weight, 500));
+                bending_cloth(of.rigidity, twist, weight, 500 * along / bending_rigidity));
   const Vector3 at = droop(strip, weight).tip() / strip_length;
   const std::string subject =
       fmt::format("Γ = {}, {} cloth, grain at {:.0f}°, {}", tip.gamma, of.cloth, of.grain / degree, name(of.mesh));

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
+#include <future>
 #include <string>
 #include <vector>
 
@@ -28,12 +29,17 @@ int run(const std::vector<std::string>& arguments) {
       wanted.push_back(arguments[i]);
     }
   }
-  std::vector<Chapter> chapters;
+  std::vector<std::future<Chapter>> running;  // no case knows of another
   for (const Case& each : cases()) {
     if (!wanted.empty() && std::ranges::find(wanted, each.name) == wanted.end()) continue;
-    fmt::print(stderr, "{} …\n", each.name);
-    chapters.push_back(each.run(quick ? Effort::Quick : Effort::Full));
+    running.push_back(std::async(std::launch::async, [&each, quick] {
+      Chapter chapter = each.run(quick ? Effort::Quick : Effort::Full);
+      fmt::print(stderr, "{}: done\n", each.name);
+      return chapter;
+    }));
   }
+  std::vector<Chapter> chapters;
+  for (std::future<Chapter>& each : running) chapters.push_back(each.get());
   const std::string text = page(chapters);
   if (folder.empty()) {
     fmt::print("{}", text);
