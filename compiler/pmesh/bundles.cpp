@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-constexpr int kRounds = 24;               // a corner wanders through this many seams at most
+constexpr int kSeamRounds = 24;           // a corner wanders through this many seams at most
 constexpr std::size_t kMostBreaks = 400;  // of one edge
 constexpr double kKink = 0.03;            // [rad] a turn of the tangent that needs a node
 constexpr double kSame = 1e-9;            // [m]
@@ -171,7 +171,7 @@ void break_at_ties(const Garment& garment, Bundles& bundles) {
 
 void carry_breaks(const Garment& garment, double tolerance, Bundles& bundles) {
   break_at_ties(garment, bundles);
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < kSeamRounds; ++round) {
     bool any = false;
     for (const Seam& seam : garment.seams) {
       if (!sewable(seam, bundles)) continue;

@@ -7,10 +7,10 @@
 namespace toile {
 namespace {
 
-constexpr double tallness = 1.3;        // of the armhole: height over width
-constexpr double stand_off = 0.016;     // [m] of the root ring from the trunk's side
-constexpr double ring_spacing = 0.016;  // [m] along the stump
-constexpr int blend_rings = 3;
+constexpr double tallness = 1.3;              // of the armhole: height over width
+constexpr double stand_off = 0.016;           // [m] of the root ring from the trunk's side
+constexpr double stump_ring_spacing = 0.016;  // [m] along the stump
+constexpr int shoulder_blend_rings = 3;
 constexpr int blend_margin = 3;  // rows and columns of the trunk around the opening that give way
 
 // The height of an ellipse of that girth and tallness.
@@ -99,9 +99,9 @@ Limb grow_arm(const Trunk& trunk, const Opening& opening, const BodyLimb& arm, H
   frame.centre += stand_off * frame.along;
 
   const std::vector<int> root = form.add(limb_ring(frame, count, arm.girth_root, tallness));
-  blend_loops(rim, root, blend_rings, form);
+  blend_loops(rim, root, shoulder_blend_rings, form);
   std::vector<int> above = root;
-  const int rings = std::max(2, static_cast<int>(std::lround(arm.length / ring_spacing)));
+  const int rings = std::max(2, static_cast<int>(std::lround(arm.length / stump_ring_spacing)));
   for (int k = 1; k <= rings; ++k) {
     const double t = smooth_step(static_cast<double>(k) / rings);
     const double angle = leaving + (arm.angle - leaving) * t;

@@ -27,6 +27,16 @@ Proximity proximity(Pair::Kind kind, const Quad& x) {
   return kind == Pair::Kind::CornerTriangle ? corner_to_triangle(x) : edge_to_edge(x);
 }
 
+double apart(Pair::Kind kind, const Quad& x) {
+  // The second point is the edge's other end, or one of the triangle's corners.
+  const bool edges = kind == Pair::Kind::EdgeEdge;
+  const Eigen::Array3d one = x[0].array(), second = x[1].array();
+  const Eigen::Array3d low = edges ? one.min(second).eval() : one, high = edges ? one.max(second).eval() : one;
+  const Eigen::Array3d third = x[2].array(), fourth = x[3].array(), other = edges ? third : second;
+  const Eigen::Array3d far_low = other.min(third).min(fourth), far_high = other.max(third).max(fourth);
+  return (low - far_high).max(far_low - high).maxCoeff();
+}
+
 double free_fraction(const Pair& pair, const Vector& q, const Vector& step, double most) {
   Quad move = places(pair, step);
   const Vector3 common = (move[0] + move[1] + move[2] + move[3]) / 4;
@@ -35,6 +45,7 @@ double free_fraction(const Pair& pair, const Vector& q, const Vector& step, doub
   // No point of the one nears a point of the other faster than this.
   const double speed = longest(move, 0, split) + longest(move, split, 4);
   Quad x = places(pair, q);
+  if (speed * most <= (1 - kept) * apart(pair.kind, x)) return most;
   double distance = std::sqrt(proximity(pair.kind, x).squared);
   const double least = kept * distance;
   if (speed * most <= distance - least) return most;

@@ -11,7 +11,8 @@
 namespace toile {
 namespace {
 
-constexpr double usual_slack = 1e-3;       // [m] that vertices may move before neighbours are looked for again
+constexpr double share_of_edge =
+    0.25;  // of the mean edge: so far vertices may move before neighbours are looked for again
 constexpr double share_of_altitude = 0.4;  // of a triangle's least altitude, which the gap does not exceed
 constexpr double soon = 2;                 // times the gap: what is so near gets its place in the matrix
 // Edges whose sine is below this are so near to parallel that their corners carry the contact; squared.
@@ -52,6 +53,12 @@ std::vector<double> edge_squares(const Cloth& cloth) {
   return squares;
 }
 
+double mean_length(const std::vector<double>& squares) {
+  double sum = 0;
+  for (const double square : squares) sum += std::sqrt(square);
+  return sum / static_cast<double>(std::max<std::size_t>(squares.size(), 1));
+}
+
 /// How much of an edge pair's energy counts: rises from 0 for parallel edges to 1 (Li et al. 2020, 4.2), by their
 /// crossing, which is `full` where they no longer count as parallel.
 struct Share {
@@ -71,7 +78,8 @@ SelfContact::SelfContact(const Cloth& cloth, double gap, double pressure)
       widest_gap_(gap),
       gap_(gaps(cloth, gap)),
       area_of_edge_(edge_areas(cloth)),
-      square_of_edge_(edge_squares(cloth)) {}
+      square_of_edge_(edge_squares(cloth)),
+      slack_(share_of_edge * mean_length(square_of_edge_)) {}
 
 void SelfContact::leave_out(std::vector<bool> vertices) {
   left_out_ = std::move(vertices);
@@ -97,11 +105,10 @@ double SelfContact::parallel_of(const Pair& pair) const {
   return parallel * square_of_edge_[index(pair.first)] * square_of_edge_[index(pair.second)];
 }
 
-void SelfContact::gather(const Vector& from, const Vector& to, double slack) const {
+void SelfContact::gather(const Vector& from, const Vector& to) const {
   swept_from_ = from;
   swept_to_ = to;
-  slack_ = slack;
-  neighbours_ = neighbours(cloth_, from, to, soon * widest_gap_ / 2 + slack);
+  neighbours_ = neighbours(cloth_, from, to, soon * widest_gap_ / 2 + slack_);
   if (!left_out_.empty()) {
     std::erase_if(neighbours_, [&](const Pair& pair) {
       return std::ranges::all_of(pair.vertices, [&](int v) { return left_out_[index(v)]; });
@@ -120,16 +127,19 @@ bool SelfContact::gathered(const Vector& q) const {
 }
 
 std::vector<SelfContact::Touch> SelfContact::within(const Vector& q, double times_gap) const {
-  if (!gathered(q)) gather(q, q, usual_slack);
+  if (!gathered(q)) gather(q, q);
+  const double reach = times_gap * widest_gap_;
   std::vector<double> squared(neighbours_.size());
   parallel_for(neighbours_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) {
-      squared[i] = proximity(neighbours_[i].kind, places(neighbours_[i], q)).squared;
+      const Pair::Kind kind = neighbours_[i].kind;
+      const Quad x = places(neighbours_[i], q);
+      squared[i] = apart(kind, x) >= reach ? reach * reach : proximity(kind, x).squared;
     }
   });
   std::vector<Touch> touches;
   for (std::size_t i = 0; i < neighbours_.size(); ++i) {
-    if (squared[i] >= times_gap * times_gap * widest_gap_ * widest_gap_) continue;
+    if (squared[i] >= reach * reach) continue;
     const Pair& pair = neighbours_[i];
     const double gap = gap_of(pair);
     if (squared[i] >= times_gap * times_gap * gap * gap || squared[i] < coincident * coincident * gap * gap) continue;
@@ -216,7 +226,8 @@ void SelfContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix
 }
 
 double SelfContact::free_fraction(const Vector& q, const Vector& step) const {
-  gather(q, q + step, usual_slack / 10);
+  const Vector to = q + step;
+  if (!gathered(q) || !gathered(to)) gather(q, to);
   std::vector<double> fractions(neighbours_.size());
   parallel_for(neighbours_.size(), [&](std::size_t begin, std::size_t end) {
     for (std::size_t i = begin; i < end; ++i) fractions[i] = toile::free_fraction(neighbours_[i], q, step, 1);

@@ -48,7 +48,7 @@ class SelfContact : public Form {
     double value = 0, slope = 0, bend = 0;
   };
 
-  void gather(const Vector& from, const Vector& to, double slack) const;
+  void gather(const Vector& from, const Vector& to) const;
   bool gathered(const Vector& q) const;
   const std::vector<Touch>& touches(const Vector& q) const;
   std::vector<Touch> within(const Vector& q, double times_gap) const;
@@ -66,9 +66,9 @@ class SelfContact : public Form {
   std::vector<bool> left_out_;          // per vertex; empty: none
   std::vector<double> area_of_edge_;    // [m2]
   std::vector<double> square_of_edge_;  // [m2] of its length
+  double slack_;                        // [m]
   // Neighbours hold for every q between the two places, or within the slack of them.
   mutable Vector swept_from_, swept_to_;
-  mutable double slack_ = 0;
   mutable std::vector<Pair> neighbours_;
   // Of the latest q: energy, gradient and Hessian are asked for at the same place.
   mutable Vector measured_at_;

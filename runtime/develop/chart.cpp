@@ -13,7 +13,7 @@ constexpr int most_shelves = 400;
 constexpr double on_edge = 1e-9;     // how far outside of a triangle, in its own coordinates, still is on it
 constexpr double same_place = 1e-7;  // [m] hits nearer than this are one, on the edge of two triangles
 
-Vec3 middle_of(const std::vector<Vec3>& closed_line) {
+Vec3 middle_of_line(const std::vector<Vec3>& closed_line) {
   Vec3 sum;
   double length = 0;
   for (std::size_t i = 0; i < closed_line.size(); ++i) {
@@ -81,12 +81,12 @@ BodyChart::BodyChart(const Body& body, const ChartSpec& spec, std::string& error
     return;
   }
   if (line != nullptr) {
-    origin_ = middle_of(line->points);
+    origin_ = middle_of_line(line->points);
     up_ = -line->axis;
     front_ = square_to(up_, line->points.front() - origin_);
   } else {
     const BodyLine* round_it = level_line(body);
-    origin_ = round_it != nullptr ? middle_of(round_it->points) : middle_of_box(body.surface());
+    origin_ = round_it != nullptr ? middle_of_line(round_it->points) : middle_of_box(body.surface());
     if (spec.map == ChartSpec::Map::Cylinder) origin_.z = 0;
   }
   if (spec.centre) origin_ = space_point(*spec.centre);

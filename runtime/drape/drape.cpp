@@ -64,7 +64,6 @@ class Draping {
         gravity_(vertex_masses(cloth, law_.weight)),
         layers_(cloth, std::max(law_.thickness, options.least_gap), law_.pressure),
         matrix_(reduced_unknowns(elastic_.unknowns(), start.held), elastic_.couplings()) {
-    elastic_.prepare(matrix_);
     if (body != nullptr) {
       contact_ = std::make_unique<BodyContact>(cloth, *body, law_.thickness / 2,
                                                options.friction ? body->spec().friction.value_or(law_.friction) : 0);
@@ -98,6 +97,8 @@ class Draping {
   void untangle(const Job& job);
   /// Gives the matrix places for the layers that touch at q.
   void fit(const Vector& q);
+  /// Puts the matrix into an order that keeps its factor sparse.
+  void analyse();
   NewtonOutcome solve_newton(const Job& job);
   NewtonOutcome solve_okabe(const Job& job);
 
@@ -158,8 +159,13 @@ void Draping::fit(const Vector& q) {
   const std::vector<std::vector<int>> touching = layers_.couplings(q);
   couplings.insert(couplings.end(), touching.begin(), touching.end());
   matrix_ = SparseMatrix(matrix_.reduced(), couplings);
+  analyse();
+}
+
+void Draping::analyse() {
+  matrix_ = matrix_.reordered(cholesky_.good_order(matrix_));
   elastic_.prepare(matrix_);
-  cholesky_.analyse(matrix_);
+  cholesky_.analyse_in_order(matrix_);
 }
 
 double Draping::uncarried(const Vector& gradient) const {
@@ -169,7 +175,7 @@ double Draping::uncarried(const Vector& gradient) const {
 }
 
 NewtonOutcome Draping::solve_newton(const Job& job) {
-  cholesky_.analyse(matrix_);
+  analyse();
   untangle(job);
   NewtonProblem problem{forms(),
                         &matrix_,

@@ -241,8 +241,11 @@ void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& thet
         const Matrix3 by_angles =
             bending_hessian(law_, triangle.bending, triangle_angles(triangle, theta, q), memory(first + i));
         dense[i].noalias() = by_unknowns.transpose() * (by_angles * by_unknowns);
+        const Corners x = corners(triangle.vertices, q);
+        const MembraneStrain stressed =
+            foreseen_.empty() ? membrane_strain(triangle.membrane, x) : foreseen_[first + i];
         dense[i].topLeftCorner<9, 9>() +=
-            membrane_hessian(law_, triangle.membrane, corners(triangle.vertices, q), curvature, memory(first + i));
+            membrane_hessian(law_, triangle.membrane, x, stressed, curvature, memory(first + i));
       }
     });
     for (size_t i = 0; i < count; ++i) {
@@ -293,6 +296,16 @@ void ElasticForm::add_hinges(const Vector& q, const std::vector<double>& theta, 
       }
     }
   }
+}
+
+void ElasticForm::foresee(const Vector& q, const Vector& step) {
+  foreseen_.resize(triangles_.size());
+  parallel_for(triangles_.size(), [&](size_t begin, size_t end) {
+    for (size_t t = begin; t < end; ++t) {
+      const auto& [vertices, membrane, bending, sides] = triangles_[t];
+      foreseen_[t] = foreseen_strain(membrane, corners(vertices, q), corners(vertices, step));
+    }
+  });
 }
 
 void ElasticForm::accept(const Vector& q) {

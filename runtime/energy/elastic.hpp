@@ -57,6 +57,10 @@ class ElasticForm : public Form {
 
   double energy(const Vector& q, Vector* gradient) const override;
   void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
+  /// Keeps the strains that the step leads to if it were linear. The stresses of those, not the ones that a finite turn
+  /// of the threads adds for a moment, make the Hessian at the step's end (after the mixed iteration of Magisano,
+  /// Leonetti and Garcea, 2017): steps along folds become several times longer.
+  void foresee(const Vector& q, const Vector& step) override;
   void accept(const Vector& q) override;
   /// Takes q into the history of the loops: a step of the test, or of the wearing, ends there.
   void remember(const Vector& q);
@@ -104,7 +108,8 @@ class ElasticForm : public Form {
   std::vector<std::vector<std::int32_t>> hinge_places_;
   std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
   std::vector<double> rotation_stiffness_;
-  std::vector<ClothMemory> memory_;  // of each triangle; empty where nothing is remembered
+  std::vector<ClothMemory> memory_;       // of each triangle; empty where nothing is remembered
+  std::vector<MembraneStrain> foreseen_;  // per triangle; empty before the first step
 };
 
 }  // namespace toile

@@ -109,6 +109,14 @@ MembraneStrain membrane_strain(const MembraneShape& shape, const Corners& x) {
   return {f.warp_length - 1, f.weft_length - 1, shear_angle(f)};
 }
 
+MembraneStrain foreseen_strain(const MembraneShape& shape, const Corners& x, const Corners& dx) {
+  const Threads f = threads(shape, x);
+  const Vector3 warp = shape.du[0] * dx[0] + shape.du[1] * dx[1] + shape.du[2] * dx[2];
+  const Vector3 weft = shape.dv[0] * dx[0] + shape.dv[1] * dx[1] + shape.dv[2] * dx[2];
+  return {f.warp_length - 1 + f.warp.dot(warp), f.weft_length - 1 + f.weft.dot(weft),
+          shear_angle(f) + f.warp_turn.dot(warp) / f.warp_length + f.weft_turn.dot(weft) / f.weft_length};
+}
+
 MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient,
                                const ClothMemory* memory) {
   const Threads f = threads(shape, x);
@@ -125,13 +133,18 @@ MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape,
   return {shape.area * warp.energy, shape.area * weft.energy, shape.area * shear.energy};
 }
 
-Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Curvature curvature,
-                         const ClothMemory* memory) {
+Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x,
+                         const MembraneStrain& stressed, Curvature curvature, const ClothMemory* memory) {
+  const double* anchor = memory != nullptr ? &memory->shear : nullptr;
   const Threads f = threads(shape, x);
-  const Density shear = density(law.shear, shear_angle(f), memory != nullptr ? &memory->shear : nullptr);
+  Density warp = law.warp(f.warp_length - 1), weft = law.weft(f.weft_length - 1);
+  Density shear = density(law.shear, shear_angle(f), anchor);
+  warp.force = law.warp(stressed.warp).force;
+  weft.force = law.weft(stressed.weft).force;
+  shear.force = density(law.shear, stressed.shear, anchor).force;
   Matrix6 by_f = shear_hessian(shear, f, curvature);
-  by_f.topLeftCorner<3, 3>() += elongation_hessian(law.warp(f.warp_length - 1), f.warp, f.warp_length, curvature);
-  by_f.bottomRightCorner<3, 3>() += elongation_hessian(law.weft(f.weft_length - 1), f.weft, f.weft_length, curvature);
+  by_f.topLeftCorner<3, 3>() += elongation_hessian(warp, f.warp, f.warp_length, curvature);
+  by_f.bottomRightCorner<3, 3>() += elongation_hessian(weft, f.weft, f.weft_length, curvature);
   Matrix9 hessian;
   for (int i = 0; i < 3; ++i) {
     for (int j = 0; j < 3; ++j) {

@@ -25,6 +25,8 @@ struct MembraneStrain {
 };
 using Corners = std::array<Vector3, 3>;
 MembraneStrain membrane_strain(const MembraneShape& shape, const Corners& x);
+/// What the strain becomes when the corners move by dx, to first order.
+MembraneStrain foreseen_strain(const MembraneShape& shape, const Corners& x, const Corners& dx);
 
 struct MembraneEnergy {
   double warp = 0, weft = 0, shear = 0;  // [J]
@@ -36,7 +38,9 @@ using Matrix9 = Eigen::Matrix<double, 9, 9>;
 /// branch.
 MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient,
                                const ClothMemory* memory = nullptr);
-Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Curvature curvature,
-                         const ClothMemory* memory = nullptr);
+/// The stresses that turn with the threads are those of the strain `stressed`: the true second derivative where that is
+/// the strain at x.
+Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x,
+                         const MembraneStrain& stressed, Curvature curvature, const ClothMemory* memory = nullptr);
 
 }  // namespace toile

@@ -14,7 +14,7 @@ namespace {
 
 using Json = nlohmann::ordered_json;
 
-Json json(Vec2 point) {
+Json coordinates(Vec2 point) {
   return Json::array({point.x, point.y});
 }
 
@@ -38,7 +38,7 @@ Json pieces(const Garment& garment, const PMesh& mesh) {
     const Piece& piece = garment.pieces[i];
     pieces.push_back({{"name", piece.name},
                       {"mirrored", piece.side == Side::Mirrored},
-                      {"warp", json(mesh.warp_of_piece[i])},
+                      {"warp", coordinates(mesh.warp_of_piece[i])},
                       {"first_point", ranges[i].first_point},
                       {"points", ranges[i].points},
                       {"first_triangle", ranges[i].first_triangle},
@@ -50,7 +50,7 @@ Json pieces(const Garment& garment, const PMesh& mesh) {
 
 Json p_mesh(const PMesh& mesh) {
   Json points = Json::array();
-  for (const Vec2 point : mesh.points) points.push_back(json(point));
+  for (const Vec2 point : mesh.points) points.push_back(coordinates(point));
   return {{"points_m", points}, {"triangles", mesh.triangles}};
 }
 

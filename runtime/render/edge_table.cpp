@@ -6,11 +6,11 @@
 namespace toile {
 
 EdgeTable::EdgeTable(const std::vector<Corners<int>>& triangles) : edge_of_corner(triangles.size()) {
-  struct Side {
+  struct OneSide {
     int from, to;  // smaller first
     int triangle, corner;
   };
-  std::vector<Side> sides;
+  std::vector<OneSide> sides;
   sides.reserve(3 * triangles.size());
   for (std::size_t t = 0; t < triangles.size(); ++t) {
     for (int c = 0; c < 3; ++c) {
@@ -19,10 +19,10 @@ EdgeTable::EdgeTable(const std::vector<Corners<int>>& triangles) : edge_of_corne
       sides.push_back({std::min(a, b), std::max(a, b), static_cast<int>(t), c});
     }
   }
-  std::sort(sides.begin(), sides.end(), [](const Side& x, const Side& y) {
+  std::sort(sides.begin(), sides.end(), [](const OneSide& x, const OneSide& y) {
     return std::array{x.from, x.to, x.triangle, x.corner} < std::array{y.from, y.to, y.triangle, y.corner};
   });
-  for (const Side& side : sides) {
+  for (const OneSide& side : sides) {
     if (vertices.empty() || vertices.back() != std::array{side.from, side.to}) {
       vertices.push_back({side.from, side.to});
       wings.emplace_back();

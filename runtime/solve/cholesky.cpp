@@ -53,10 +53,28 @@ cholmod_sparse view(const SparseMatrix& matrix) {
 Cholesky::Cholesky() : handle_(std::make_unique<Handle>()) {}
 Cholesky::~Cholesky() = default;
 
+std::vector<int> Cholesky::good_order(const SparseMatrix& matrix) const {
+  cholmod_sparse a = view(matrix);
+  cholmod_factor* factor = cholmod_analyze(&a, &handle_->common);
+  const int* order = static_cast<const int*>(factor->Perm);
+  std::vector<int> rows(order, order + matrix.rows());
+  cholmod_free_factor(&factor, &handle_->common);
+  return rows;
+}
+
 void Cholesky::analyse(const SparseMatrix& matrix) {
   cholmod_sparse a = view(matrix);
   cholmod_free_factor(&handle_->factor, &handle_->common);
   handle_->factor = cholmod_analyze(&a, &handle_->common);
+}
+
+void Cholesky::analyse_in_order(const SparseMatrix& matrix) {
+  cholmod_common& common = handle_->common;
+  common.method[0].ordering = CHOLMOD_NATURAL;
+  common.postorder = 0;
+  analyse(matrix);
+  common.method[0].ordering = CHOLMOD_METIS;
+  common.postorder = 1;
 }
 
 bool Cholesky::factorise(const SparseMatrix& matrix) {

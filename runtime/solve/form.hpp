@@ -16,6 +16,8 @@ class Form {
   virtual void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const = 0;
   /// How much of the step can be gone while the energy stays defined: in (0, 1].
   virtual double free_fraction(const Vector& /*q*/, const Vector& /*step*/) const { return 1; }
+  /// The solver goes by `step` from q on; the second derivatives may use what a linear step foresees.
+  virtual void foresee(const Vector& /*q*/, const Vector& /*step*/) {}
   /// The solver has come to rest at q for this step: history (unwrapped angles, anchors of friction) moves on.
   virtual void accept(const Vector& /*q*/) {}
 };

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 
 namespace toile {
 namespace {
@@ -11,6 +12,9 @@ constexpr double highest_lift_near_rest = 1e4;            // a saddle is left al
 constexpr double near_rest = 0.5;                         // relative residual
 constexpr int most_halvings = 13;                         // of a step that does not lower the energy
 constexpr int longest_pause = 8;                          // iterations
+// A step may raise the energy, but not above the highest of so many (Grippo, Lampariello and Lucidi, 1986): what a long
+// step along a fold stretches, the next one takes back.
+constexpr std::size_t remembered = 5;
 
 /// One run of Newton's method.
 class Newton {
@@ -26,7 +30,7 @@ class Newton {
   bool factorise(Curvature curvature, double rate);
   double longest(const Vector& step) const;
   Vector direction() const;
-  /// The accepted fraction of the step, 0 when none decreases the energy.
+  /// The accepted fraction of the step, 0 when none does.
   double search(const Vector& step);
   double free_fraction(const Vector& step) const;
   /// Doubles an accepted step while the energy goes on falling.
@@ -40,6 +44,7 @@ class Newton {
   Vector& q_;
   Vector gradient_;
   double energy_ = 0;
+  std::deque<double> energies_;  // the latest ones
   double rate_ = 0;
   double lift_ = 0;                 // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
   int pause_ = 0, next_pause_ = 1;  // iterations without trying it
@@ -113,15 +118,17 @@ double Newton::free_fraction(const Vector& step) const {
 double Newton::search(const Vector& step) {
   const double slope = gradient_.dot(step);
   if (!(slope < 0)) return 0;
-  const double noise = 1e-13 * std::abs(energy_);
+  const double highest = *std::max_element(energies_.begin(), energies_.end()) + 1e-13 * std::abs(energy_);
   const double free = free_fraction(step);
   for (int halvings = 0; halvings <= most_halvings; ++halvings) {
     const double fraction = std::ldexp(free, -halvings);
     const Vector trial = q_ + fraction * step;
     const double energy = evaluate(trial, nullptr);
-    if (std::isfinite(energy) && energy <= energy_ + 1e-4 * fraction * slope + noise) {
+    if (std::isfinite(energy) && energy <= highest + 1e-4 * fraction * slope) {
+      const Vector from = q_;
       q_ = trial;
-      if (fraction == 1 && stiffened_) lengthen(step, energy, slope);
+      if (fraction == 1 && stiffened_ && energy < energy_) lengthen(step, energy, slope);
+      for (Form* form : problem_.forms) form->foresee(from, q_ - from);
       // Being stopped by contact is no reason to go on more carefully, nor a reason to be bolder.
       return free == 1 ? fraction : 0.5 * fraction / free;
     }
@@ -145,6 +152,8 @@ void Newton::lengthen(const Vector& step, double energy, double slope) {
 void Newton::settle() {
   for (Form* form : problem_.forms) form->accept(q_);
   energy_ = evaluate(q_, &gradient_);
+  energies_.push_back(energy_);
+  if (energies_.size() > remembered) energies_.pop_front();
 }
 
 void Newton::adapt(double fraction) {

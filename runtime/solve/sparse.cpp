@@ -19,7 +19,30 @@ SparseMatrix::SparseMatrix(std::vector<int> reduced, const std::vector<std::vect
       }
     }
   }
-  column_start_.push_back(0);
+  fill(columns);
+}
+
+SparseMatrix SparseMatrix::reordered(const std::vector<int>& order) const {
+  std::vector<int> place(order.size());
+  for (std::size_t i = 0; i < order.size(); ++i) place[static_cast<std::size_t>(order[i])] = static_cast<int>(i);
+  SparseMatrix matrix;
+  matrix.reduced_ = reduced_;
+  for (int& row : matrix.reduced_) {
+    if (row >= 0) row = place[static_cast<std::size_t>(row)];
+  }
+  std::vector<std::vector<int>> columns(order.size());
+  for (std::size_t column = 0; column < order.size(); ++column) {
+    for (int k = column_start_[column]; k < column_start_[column + 1]; ++k) {
+      const int a = place[column], b = place[static_cast<std::size_t>(row_index_[static_cast<std::size_t>(k)])];
+      columns[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
+    }
+  }
+  matrix.fill(columns);
+  return matrix;
+}
+
+void SparseMatrix::fill(std::vector<std::vector<int>>& columns) {
+  column_start_ = {0};
   for (std::vector<int>& column : columns) {
     std::sort(column.begin(), column.end());
     column.erase(std::unique(column.begin(), column.end()), column.end());

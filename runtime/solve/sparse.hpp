@@ -16,6 +16,9 @@ class SparseMatrix {
   /// `elements`: the unknowns (before reduction) that each element couples.
   SparseMatrix(std::vector<int> reduced, const std::vector<std::vector<int>>& elements);
 
+  /// The same with its rows numbered anew: row order[i] becomes row i. Values are zero.
+  SparseMatrix reordered(const std::vector<int>& order) const;
+
   int rows() const { return static_cast<int>(column_start_.size()) - 1; }
   const std::vector<int>& reduced() const { return reduced_; }
   const std::vector<int>& column_start() const { return column_start_; }
@@ -38,6 +41,8 @@ class SparseMatrix {
   }
 
  private:
+  SparseMatrix() = default;
+  void fill(std::vector<std::vector<int>>& columns);
   std::int32_t find(int row, int column) const;
 
   std::vector<int> reduced_;
@@ -46,7 +51,7 @@ class SparseMatrix {
   std::vector<double> values_;
 };
 
-/// Supernodal sparse Cholesky (CHOLMOD); the ordering is found once for a pattern.
+/// Supernodal sparse Cholesky (CHOLMOD).
 class Cholesky {
  public:
   Cholesky();
@@ -54,7 +59,12 @@ class Cholesky {
   Cholesky(const Cholesky&) = delete;
   Cholesky& operator=(const Cholesky&) = delete;
 
+  /// Finds an order of the rows that keeps the factor sparse; once for a pattern.
   void analyse(const SparseMatrix& matrix);
+  /// That order, for SparseMatrix::reordered.
+  std::vector<int> good_order(const SparseMatrix& matrix) const;
+  /// Takes the rows as they come: no entry has to be moved before each factorisation.
+  void analyse_in_order(const SparseMatrix& matrix);
   /// False when the matrix is not positive definite.
   bool factorise(const SparseMatrix& matrix);
   Vector solve(const Vector& right) const;

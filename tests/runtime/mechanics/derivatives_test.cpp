@@ -80,7 +80,7 @@ TEST(Membrane, GradientAndHessianMatchDifferences) {
               Vector3(0.003, 0.009, 0) + random.vector(1e-3)};
     Vector9 gradient;
     membrane_energy(law, shape, x, &gradient);
-    const Matrix9 hessian = membrane_hessian(law, shape, x, Curvature::Full);
+    const Matrix9 hessian = membrane_hessian(law, shape, x, membrane_strain(shape, x), Curvature::Full);
     const double stiff = hessian.cwiseAbs().maxCoeff(), force = gradient.cwiseAbs().maxCoeff();
     for (std::size_t i = 0; i < 9; ++i) {
       const auto moved = [&](double h) {
@@ -106,10 +106,25 @@ TEST(Membrane, GradientAndHessianMatchDifferences) {
         EXPECT_NEAR(hessian(static_cast<Eigen::Index>(j), static_cast<Eigen::Index>(i)), curve, 1e-6 * stiff);
       }
     }
-    const Matrix9 definite = membrane_hessian(law, shape, x, Curvature::PositiveDefinite);
+    const Matrix9 definite = membrane_hessian(law, shape, x, membrane_strain(shape, x), Curvature::PositiveDefinite);
     const Eigen::SelfAdjointEigenSolver<Matrix9> eigen(definite);
     EXPECT_GT(eigen.eigenvalues().minCoeff(), -1e-9 * stiff);
   }
+}
+
+TEST(Membrane, ForeseenStrainIsLinearInTheStep) {
+  Random random;
+  const MembraneShape shape = membrane_shape({Vec2{0, 0}, Vec2{0.011, 0.002}, Vec2{0.003, 0.009}});
+  const Corners x{Vector3(0, 0, 0) + random.vector(1e-3), Vector3(0.011, 0.002, 0) + random.vector(1e-3),
+                  Vector3(0.003, 0.009, 0) + random.vector(1e-3)};
+  const Corners step{random.vector(1e-3), random.vector(1e-3), random.vector(1e-3)};
+  const MembraneStrain now = membrane_strain(shape, x), foreseen = foreseen_strain(shape, x, step);
+  const auto along = [&](double h) {
+    return membrane_strain(shape, {x[0] + h * step[0], x[1] + h * step[1], x[2] + h * step[2]});
+  };
+  EXPECT_NEAR(foreseen.warp - now.warp, derivative([&](double h) { return along(h).warp; }, 1e-4), 1e-8);
+  EXPECT_NEAR(foreseen.weft - now.weft, derivative([&](double h) { return along(h).weft; }, 1e-4), 1e-8);
+  EXPECT_NEAR(foreseen.shear - now.shear, derivative([&](double h) { return along(h).shear; }, 1e-4), 1e-8);
 }
 
 TEST(Dihedral, GradientAndHessianMatchDifferences) {
