@@ -206,7 +206,7 @@ FabricSheet with_class_values(FabricSheet sheet) {
   take(sheet.emt, WarpWeft{0.05, 0.05});
   take(sheet.g, WarpWeft{0.6 * 56.188, 0.6 * 56.188});
   take(sheet.hg, WarpWeft{});
-  take(sheet.hg5, WarpWeft{});
+  take(sheet.hg5, *sheet.hg);
   take(sheet.b, WarpWeft{});
   take(sheet.hb, WarpWeft{});
   take(sheet.twist, 0.5 * std::sqrt(sheet.b->warp * sheet.b->weft));
