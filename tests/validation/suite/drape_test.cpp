@@ -30,20 +30,6 @@ Garment round_specimen(double radius, const FabricSheet& fabric) {
   return make_garment(draft, found);
 }
 
-/// Flat on the disc, hanging down in so many waves beyond it.
-std::vector<Vec3> waves(const SewnMesh& mesh, double disc, int count) {
-  std::vector<Vec3> positions(static_cast<std::size_t>(mesh.s.vertex_count));
-  for (std::size_t t = 0; t < mesh.p.triangles.size(); ++t) {
-    for (std::size_t k = 0; k < 3; ++k) {
-      const Vec2 p = mesh.p.points[static_cast<std::size_t>(mesh.p.triangles[t][k])];
-      const double beyond = std::max(norm(p) - disc, 0.0), wave = std::cos(count * std::atan2(p.y, p.x) + 0.3);
-      positions[static_cast<std::size_t>(mesh.s.triangles[t][k])] = {p.x, p.y,
-                                                                     disc_top + 0.001 - beyond * (0.5 - 0.45 * wave)};
-    }
-  }
-  return positions;
-}
-
 }  // namespace
 
 DrapeTest::DrapeTest(const FabricSheet& fabric, const Tester& tester)
@@ -94,19 +80,6 @@ DrapeFigures DrapeTest::from_flat(double edge) {
   const DrapedLevels result = drape_levels(levels, {}, {}, fabric_, body_.get(), {}, {});
   form_ = result.drape.positions;
   return figures(result.drape);
-}
-
-DrapeFigures DrapeTest::lowest(double edge) {
-  mesh_ = mesh(edge);
-  DrapeFigures best;
-  for (int count = 4; count <= 8; ++count) {
-    const Drape drape = drape_on(mesh_, waves(mesh_, tester_.disc, count), false);
-    const DrapeFigures found = figures(drape);
-    if (count > 4 && found.energy >= best.energy) continue;
-    best = found;
-    form_ = drape.positions;
-  }
-  return best;
 }
 
 DrapeFigures DrapeTest::carried_to(double edge) {

@@ -19,19 +19,17 @@ struct Tester {
 struct DrapeFigures {
   double coefficient = 0;  // [%] of the ring that the shadow covers
   int folds = 0;
-  double energy = 0;  // [J] of the cloth and its weight
+  double energy = 0;  // [J] without friction
   bool at_rest = false;
 };
 
-/// Equilibria of one cloth on one tester.
+/// One cloth on one tester.
 class DrapeTest {
  public:
   DrapeTest(const FabricSheet& fabric, const Tester& tester);
 
   /// From flat, as every cloth without worn lines starts, coarse meshes first.
   DrapeFigures from_flat(double edge);
-  /// The one with the least energy of those from starts with 4 to 8 waves.
-  DrapeFigures lowest(double edge);
   /// The latest form on another mesh.
   DrapeFigures carried_to(double edge);
 

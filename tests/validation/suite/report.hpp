@@ -8,7 +8,8 @@
 
 namespace toile::validation {
 
-/// Markdown. Pictures are expected in the folder `validation` beside the page.
-std::string page(const std::vector<Chapter>& chapters);
+/// Markdown. Chapters take the places of those with their titles in the page as it stood; others of it stay. Pictures
+/// are expected in the folder `validation` beside the page.
+std::string page(const std::string& before, const std::vector<Chapter>& chapters);
 
 }  // namespace toile::validation

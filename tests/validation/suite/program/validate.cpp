@@ -1,10 +1,11 @@
-// `./dev validate`: the whole suite, its figures into docs/validation.md. With names of cases only those, printed.
+// `./dev validate`: the whole suite, its figures into docs/validation.md. With names of cases only their chapters are
+// written anew. One case after the other: OpenBLAS's serial build is not to be called by two threads at a time.
 #include <fmt/format.h>
 
 #include <algorithm>
 #include <filesystem>
 #include <fstream>
-#include <future>
+#include <iterator>
 #include <string>
 #include <vector>
 
@@ -29,18 +30,15 @@ int run(const std::vector<std::string>& arguments) {
       wanted.push_back(arguments[i]);
     }
   }
-  std::vector<std::future<Chapter>> running;  // no case knows of another
+  std::vector<Chapter> chapters;
   for (const Case& each : cases()) {
     if (!wanted.empty() && std::ranges::find(wanted, each.name) == wanted.end()) continue;
-    running.push_back(std::async(std::launch::async, [&each, quick] {
-      Chapter chapter = each.run(quick ? Effort::Quick : Effort::Full);
-      fmt::print(stderr, "{}: done\n", each.name);
-      return chapter;
-    }));
+    fmt::print(stderr, "{} …\n", each.name);
+    chapters.push_back(each.run(quick ? Effort::Quick : Effort::Full));
   }
-  std::vector<Chapter> chapters;
-  for (std::future<Chapter>& each : running) chapters.push_back(each.get());
-  const std::string text = page(chapters);
+  std::string before;
+  if (std::ifstream in(folder / "validation.md"); in) before = {std::istreambuf_iterator<char>(in), {}};
+  const std::string text = page(before, chapters);
   if (folder.empty()) {
     fmt::print("{}", text);
     return 0;
