@@ -188,7 +188,13 @@ class FabricReader {
       sound_ = false;
       if (!module_.broken(written_.span())) report_missing(no_weight, no_bending);
     }
-    if (sound_ && sheet_.lt && sheet_.wt && sheet_.emt) check_tensile();
+    if (!sound_) return;
+    if (sheet_.lt && sheet_.wt && sheet_.emt) check_tensile();
+    if (sheet_.g && sheet_.hg && sheet_.hg5) check_shear();
+    if (sheet_.t0 && sheet_.tm && *sheet_.tm > *sheet_.t0) {
+      warn_of("Tm", fmt::format("fabric `{}` is thicker under 50 gf/cm^2 than under 0.5", sheet_.name),
+              "Tm is at most T0: are they swapped?");
+    }
   }
 
   void report_missing(bool no_weight, bool no_bending) {
@@ -225,6 +231,36 @@ class FabricReader {
       return;
     }
     check(sheet_.lt->weft, sheet_.emt->weft, sheet_.wt->weft, "weft");
+  }
+
+  /// The loop's half width grows from 0.5 to 5 degrees by a part of what the whole curve does: threads press on each
+  /// other the more the cloth is sheared, but something elastic is left.
+  void check_shear() {
+    constexpr double between = 4.5 * 3.14159265358979323846 / 180;
+    const auto check = [&](double g, double hg, double hg5) {
+      const double growth = (hg5 - hg) / 2 / between;
+      if (hg5 < 0.98 * hg) {
+        warn_of("2HG5",
+                fmt::format("the loop of shear of fabric `{}` is narrower at 5 deg than at 0.5 deg", sheet_.name),
+                "2HG5 is at least 2HG: are they swapped?");
+        return false;
+      }
+      if (growth > 2 * g / 3) {
+        warn_of("G", fmt::format("the loop of shear of fabric `{}` grows faster than its curve rises", sheet_.name),
+                "G is too small for 2HG5, or one of them is in another unit");
+        return false;
+      }
+      return true;
+    };
+    if (check(sheet_.g->warp, sheet_.hg->warp, sheet_.hg5->warp)) {
+      check(sheet_.g->weft, sheet_.hg->weft, sheet_.hg5->weft);
+    }
+  }
+
+  void warn_of(const std::string& row, std::string message, std::string help) {
+    const auto at = seen_.find(row);
+    session_.report.add(
+        Problem("W0412", std::move(message)).at(at == seen_.end() ? sheet_.written : at->second).help(std::move(help)));
   }
 
   Session& session_;

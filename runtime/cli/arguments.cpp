@@ -235,6 +235,17 @@ void build(CLI::App& app, Arguments& arguments) {
       ->expected(1)
       ->type_name("");
   import.add_option("-o", arguments.outputs, "the script")->required()->type_name("F.toile")->expected(1);
+
+  CLI::App& kes = subcommand(app, arguments, Task::Kes, "kes",
+                             "Test a cloth on virtual KES instruments: its sheet read back, and the curves",
+                             "toile kes wool_serge -o wool_serge.svg");
+  kes.add_option("FABRIC", arguments.fabric, "a cloth of the module fabrics, or of the script given by --in")
+      ->required()
+      ->type_name("");
+  kes.add_option("--in", arguments.files, "the script that has the cloth")->type_name("FILE")->expected(1);
+  kes.add_option("-o", arguments.outputs, "the drawing of the curves; FABRIC.kes.svg by default")
+      ->type_name("F.svg")
+      ->expected(1);
 }
 
 /// The subcommand that was probably meant by the first word of the call.

@@ -11,7 +11,7 @@
 
 namespace toile {
 
-enum class Task { Run, Check, Compile, Draft, Drape, Develop, Render, Fmt, Explain, Doc, Test, Import };
+enum class Task { Run, Check, Compile, Draft, Drape, Develop, Render, Fmt, Explain, Doc, Test, Import, Kes };
 enum class MessageFormat { Human, Json, Sarif };
 enum class WhenColour { Auto, Always, Never };
 

@@ -12,6 +12,7 @@
 #include "runtime/driver/formatting.hpp"
 #include "runtime/driver/golden.hpp"
 #include "runtime/driver/importing.hpp"
+#include "runtime/driver/laboratory.hpp"
 #include "runtime/driver/reference.hpp"
 #include "runtime/driver/run.hpp"
 #include "runtime/driver/sizes.hpp"
@@ -73,6 +74,7 @@ void carry_out(Workroom& workroom, const Arguments& arguments) {
     case Task::Doc:
     case Task::Test:
     case Task::Import:
+    case Task::Kes:
       break;  // have no workroom of their own
   }
 }
@@ -85,6 +87,17 @@ Outcome work_on(const std::string& file, const WorkroomOptions& options, const A
   const bool shows_tree = arguments.task == Task::Compile && arguments.stage == "ast" && !workroom.text().empty();
   if (loaded || shows_tree) carry_out(workroom, arguments);
   if (!arguments.profile.empty()) workroom.write(arguments.profile, profile_json(workroom.profile()));
+  return workroom.outcome();
+}
+
+/// On a cloth of a script, or of the standard library.
+Outcome test_cloth(const Arguments& arguments, Console& console, const Job& job) {
+  Workroom workroom({}, console, job);
+  const bool loaded = arguments.files.empty() ? workroom.load("toile kes", "import fabrics\n")
+                                              : workroom.load(std::filesystem::path(arguments.files.front()));
+  const bool is_standard = arguments.files.empty() && !arguments.fabric.starts_with("fabrics.");
+  const std::string drawing = arguments.outputs.empty() ? arguments.fabric + ".kes.svg" : arguments.outputs.front();
+  if (loaded) test_fabric(workroom, (is_standard ? "fabrics." : "") + arguments.fabric, drawing);
   return workroom.outcome();
 }
 
@@ -113,6 +126,8 @@ Outcome outcome_of(const Arguments& arguments, Console& console, const Job& job)
       return test_scripts(arguments.files.empty() ? "." : arguments.files.front(), arguments.update, console, job);
     case Task::Import:
       return import_pattern(arguments.files.front(), arguments.outputs.front(), console);
+    case Task::Kes:
+      return test_cloth(arguments, console, job);
     default:
       return work_through(arguments, console, job);
   }

@@ -12,26 +12,19 @@ constexpr double reach = 0.03;          // [m] how far away the body is looked f
 constexpr double elastic_slip = 1e-4;   // [m] how far a sticking point gives before it slips
 constexpr double least_approach = 0.8;  // of its clearance a point may move before it is measured again
 
+constexpr double least_share = 0.5, greatest_share = 2;  // of its area at rest that a triangle is taken with
+
+/// Corners of all triangles, middles of edges, middles of triangles, in this order; without areas yet.
 std::vector<ContactPoint> contact_points(const Cloth& cloth) {
-  // A third of each triangle's area to its corners, a third to the middles of its edges and a third to its own. (Exact
-  // for cubics would be 3/20, 8/20 and 9/20; but a fold may touch with one corner alone, which then has to carry.)
   std::vector<ContactPoint> points;
-  for (int v = 0; v < cloth.vertex_count; ++v) {
-    points.push_back({{v}, 1, cloth.area_of_vertex[static_cast<std::size_t>(v)] / 3});
-  }
-  std::vector<double> area(static_cast<std::size_t>(cloth.edge_count), 0.0);
-  for (const ClothTriangle& triangle : cloth.triangles) {
-    const double own = 0.5 * std::abs(cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]));
-    for (const int edge : triangle.edges) area[static_cast<std::size_t>(edge)] += own / 9;
-  }
-  for (std::size_t e = 0; e < area.size(); ++e) {
-    points.push_back({{cloth.edges[e].vertices[0], cloth.edges[e].vertices[1]}, 2, area[e]});
-  }
-  for (const ClothTriangle& triangle : cloth.triangles) {
-    const double own = 0.5 * std::abs(cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]));
-    points.push_back({triangle.vertices, 3, own / 3});
-  }
+  for (int v = 0; v < cloth.vertex_count; ++v) points.push_back({{v}, 1, 0});
+  for (const SMesh::Edge& edge : cloth.edges) points.push_back({{edge.vertices[0], edge.vertices[1]}, 2, 0});
+  for (const ClothTriangle& triangle : cloth.triangles) points.push_back({triangle.vertices, 3, 0});
   return points;
+}
+
+double area_at_rest(const ClothTriangle& triangle) {
+  return 0.5 * std::abs(cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]));
 }
 
 /// Friction against slip, by the limit of its force: the force is 2 u - u^2 of the limit at u = slip / elastic_slip,
@@ -52,14 +45,46 @@ double slip_at(double share) {
 }  // namespace
 
 BodyContact::BodyContact(const Cloth& cloth, const Body& body, double gap, double friction)
-    : body_(body),
+    : cloth_(cloth),
+      body_(body),
       vertices_(cloth.vertex_count),
       gap_(gap),
       friction_(friction),
       points_(contact_points(cloth)),
       grips_(points_.size()),
       touches_(points_.size()),
-      leeway_(points_.size()) {}
+      leeway_(points_.size()) {
+  share_out_areas([](const ClothTriangle& triangle) { return area_at_rest(triangle); });
+}
+
+// A third of each triangle's area to its corners, a third to the middles of its edges and a third to its own. (Exact
+// for cubics would be 3/20, 8/20 and 9/20; but a fold may touch with one corner alone, which then has to carry.)
+template <class AreaOf>
+void BodyContact::share_out_areas(const AreaOf& area_of) {
+  for (ContactPoint& point : points_) point.area = 0;
+  const auto edges = static_cast<std::size_t>(vertices_);
+  const std::size_t triangles = edges + static_cast<std::size_t>(cloth_.edge_count);
+  for (std::size_t t = 0; t < cloth_.triangles.size(); ++t) {
+    const ClothTriangle& triangle = cloth_.triangles[t];
+    const double area = area_of(triangle);
+    for (std::size_t k = 0; k < 3; ++k) {
+      points_[static_cast<std::size_t>(triangle.vertices[k])].area += area / 9;
+      points_[edges + static_cast<std::size_t>(triangle.edges[k])].area += area / 9;
+    }
+    points_[triangles + t].area = area / 3;
+  }
+}
+
+// The body presses on the cloth as it lies, stretched or not.
+void BodyContact::measure_areas(const Vector& q) {
+  share_out_areas([&q](const ClothTriangle& triangle) {
+    const Vector3 first = q.segment<3>(3 * triangle.vertices[0]);
+    const Vector3 one = q.segment<3>(3 * triangle.vertices[1]) - first;
+    const Vector3 two = q.segment<3>(3 * triangle.vertices[2]) - first;
+    const double rest = area_at_rest(triangle);
+    return std::clamp(0.5 * one.cross(two).norm(), least_share * rest, greatest_share * rest);
+  });
+}
 
 Vector3 BodyContact::place(const ContactPoint& point, const Vector& q) const {
   Vector3 sum = Vector3::Zero();
@@ -161,6 +186,7 @@ void BodyContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix
 }
 
 void BodyContact::accept(const Vector& q) {
+  measure_areas(q);
   if (friction_ == 0) return;
   const std::vector<Touch>& touches = this->touches(q);
   for (std::size_t i = 0; i < points_.size(); ++i) {
@@ -192,6 +218,7 @@ ContactForces BodyContact::forces(const Vector& q) const {
       sum.normal_energy += 0.5 * stiffness_ * touches[i].depth * touches[i].depth * points_[i].area;
       sum.area += points_[i].area;
       sum.max_depth = std::max(sum.max_depth, touches[i].depth);
+      sum.max_pressure = stiffness_ * sum.max_depth;
     }
     if (grips_[i].holds) {
       const Vector3 at = place(points_[i], q);
@@ -205,9 +232,17 @@ ContactForces BodyContact::forces(const Vector& q) const {
 
 std::vector<double> BodyContact::pressures(const Vector& q) const {
   const std::vector<Touch>& touches = this->touches(q);
-  std::vector<double> pressures(static_cast<std::size_t>(vertices_));
-  for (std::size_t v = 0; v < pressures.size(); ++v) pressures[v] = stiffness_ * touches[v].depth;
-  return pressures;
+  std::vector<double> forces(static_cast<std::size_t>(vertices_), 0.0), areas(forces.size(), 0.0);
+  for (std::size_t i = 0; i < points_.size(); ++i) {
+    for (int k = 0; k < points_[i].count; ++k) {
+      const auto v = static_cast<std::size_t>(points_[i].vertices[static_cast<std::size_t>(k)]);
+      const double area = points_[i].area / points_[i].count;
+      forces[v] += stiffness_ * touches[i].depth * area;
+      areas[v] += area;
+    }
+  }
+  for (std::size_t v = 0; v < forces.size(); ++v) forces[v] /= std::max(areas[v], 1e-300);
+  return forces;
 }
 
 }  // namespace toile

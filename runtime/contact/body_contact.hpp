@@ -17,7 +17,7 @@ namespace toile {
 struct ContactPoint {
   std::array<int, 3> vertices{};  // the place is their mean
   int count = 1;                  // how many of them: 1, 2 or 3
-  double area = 0;                // [m2]
+  double area = 0;                // [m2] of the cloth as it lay at the solver's latest rest
 };
 
 struct ContactForces {
@@ -25,11 +25,13 @@ struct ContactForces {
   double normal_energy = 0, friction_energy = 0;                 // [J]
   double area = 0;                                               // [m2] in contact
   double max_depth = 0;                                          // [m]
+  double max_pressure = 0;                                       // [Pa] there
 };
 
 class BodyContact : public Form {
  public:
   /// `gap` [m]: half the cloth's thickness, the distance at which its middle surface touches.
+  /// The cloth and the body must outlive it.
   BodyContact(const Cloth& cloth, const Body& body, double gap, double friction);
 
   /// Pressure per depth [N/m3].
@@ -39,10 +41,14 @@ class BodyContact : public Form {
   void accept(const Vector& q) override;
 
   ContactForces forces(const Vector& q) const;
-  /// Per vertex [Pa].
+  /// Per vertex, the mean over its part of the cloth [Pa]: between vertices a round body comes nearer than at them.
   std::vector<double> pressures(const Vector& q) const;
 
  private:
+  template <class AreaOf>
+  void share_out_areas(const AreaOf& area_of);
+  void measure_areas(const Vector& q);
+
   struct Touch {
     bool in = false;
     double depth = 0;                     // [m]
@@ -70,6 +76,7 @@ class BodyContact : public Form {
   Matrix3 normal_block(const Touch& touch, double area, Curvature curvature) const;
   void add_block(const ContactPoint& point, const Matrix3& block, SparseMatrix& matrix) const;
 
+  const Cloth& cloth_;
   const Body& body_;
   int vertices_ = 0;
   double gap_ = 0;

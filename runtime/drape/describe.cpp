@@ -61,6 +61,7 @@ Contact contact(const ClothState& state, const Vector& gradient, const std::vect
     contact.max_penetration_m = forces.max_depth;
     contact.contact_area_m2 = forces.area;
     contact.pressure_Pa = pressure_spread(pressure, state.cloth);
+    contact.pressure_Pa.max = std::max(contact.pressure_Pa.max, forces.max_pressure);
   }
   if (contact.weight_N > 0) {
     contact.weight_error = std::abs(contact.weight_N - contact.support_total_N()) / contact.weight_N;

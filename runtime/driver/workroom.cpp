@@ -88,6 +88,11 @@ void Workroom::file_failed(const std::string& message) {
   listener_->failed(message, "");
 }
 
+void Workroom::unsettled(const std::string& message) {
+  outcome_.unsettled = true;
+  listener_->failed(message, "");
+}
+
 bool Workroom::interrupted() {
   if (job_.is_cancelled()) outcome_.interrupted = true;
   return outcome_.interrupted;

@@ -67,6 +67,11 @@ class Workroom {
   /// The flat pattern of a garment that is drawn on a body; nullopt as for drape().
   std::optional<Developed> develop(const DevelopCommand& command);
 
+  /// A cloth as the script could name it, `fabrics.silk`; nullopt when there is none, which has been said, with `asked`
+  /// before the name.
+  std::optional<FabricSheet> fabric_called(const std::string& expression, const std::string& asked = "");
+  const Job& job() const { return job_; }
+
   /// Writes a whole file unless interrupted.
   void write(const std::filesystem::path& wanted, const std::string& bytes);
   /// Writes below the output folder for a command of the script.
@@ -76,6 +81,8 @@ class Workroom {
   void diagnose(const Diagnostic& diagnostic);
   void wrong_usage(const std::string& message, const std::string& help = "");
   void file_failed(const std::string& message);
+  /// A solve that did not reach equilibrium.
+  void unsettled(const std::string& message);
 
   /// True once Ctrl-C was pressed; the outcome then says so.
   bool interrupted();
@@ -94,7 +101,6 @@ class Workroom {
                                       const AtRestOnForm& at_rest);
   void note_strain(const DevelopCommand& command, const Developed& developed);
   void note_development(const DevelopCommand& command, const Developed& developed);
-  std::optional<FabricSheet> replacement_fabric();
   /// The meshes that draping begins on, the coarsest first.
   const std::vector<CoarseGarment>& coarse(int garment, const MadeGarment& made);
   DrapeOptions drape_options(const DrapeCommand& command) const;

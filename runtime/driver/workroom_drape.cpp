@@ -11,7 +11,7 @@ std::shared_ptr<const MadeGarment> Workroom::make(int garment) {
   auto made = std::make_shared<MadeGarment>();
   made->garment = program_->garments()[static_cast<std::size_t>(garment)];
   if (options_.fabric) {
-    std::optional<FabricSheet> fabric = replacement_fabric();
+    std::optional<FabricSheet> fabric = fabric_called(*options_.fabric, "--fabric ");
     if (!fabric) return nullptr;
     made->garment.fabric = *std::move(fabric);
   }
@@ -43,20 +43,20 @@ const std::vector<CoarseGarment>& Workroom::coarse(int garment, const MadeGarmen
 
 // The expression is evaluated in the script's own scope: a garment of one plain square in that cloth is added to the
 // text, and its cloth is taken.
-std::optional<FabricSheet> Workroom::replacement_fabric() {
+std::optional<FabricSheet> Workroom::fabric_called(const std::string& expression, const std::string& asked) {
   const std::string probe = fmt::format(
       "\ngarment cloth_asked_for in {} {{\n  piece square {{\n    outline from (0cm, 0cm) {{\n"
       "      a = line to (10cm, 0cm)\n      b = line to (10cm, 10cm)\n      c = line to (0cm, 10cm)\n"
       "      d = line to start\n    }}\n  }}\n}}\n",
-      *options_.fabric);
+      expression);
   const std::unique_ptr<Program> probed =
       toile::load(script_, text_ + probe, options_.settings, *world_, options_.size);
   if (!probed->ok()) {
-    std::string message = fmt::format("--fabric {}: no such cloth", *options_.fabric);
+    std::string message = fmt::format("{}{}: no such cloth", asked, expression);
     std::string help = "name a fabric as the script could: its own, or one of an imported module (fabrics.wool_serge)";
     for (const Diagnostic& diagnostic : probed->diagnostics()) {
       if (diagnostic.severity != Severity::Error) continue;
-      message = fmt::format("--fabric {}: {}", *options_.fabric, diagnostic.message);
+      message = fmt::format("{}{}: {}", asked, expression, diagnostic.message);
       if (!diagnostic.help.empty()) help = diagnostic.help;
       break;
     }

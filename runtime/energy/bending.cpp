@@ -28,9 +28,11 @@ Curvatures curvatures(const BendingShape& shape, const Angles& angles) {
   return k;
 }
 
-BendingEnergy bending_energy(const FabricLaw& law, const BendingShape& shape, const Angles& angles, Angles* moments) {
+BendingEnergy bending_energy(const FabricLaw& law, const BendingShape& shape, const Angles& angles, Angles* moments,
+                             const ClothMemory* memory) {
   const Curvatures k = curvatures(shape, angles);
-  const Density warp = law.bend_warp(k.warp), weft = law.bend_weft(k.weft);
+  const Density warp = density(law.bend_warp, k.warp, memory != nullptr ? &memory->bend_warp : nullptr);
+  const Density weft = density(law.bend_weft, k.weft, memory != nullptr ? &memory->bend_weft : nullptr);
   if (moments != nullptr) {
     for (std::size_t corner = 0; corner < 3; ++corner) {
       (*moments)[corner] = shape.area * (warp.force * shape.warp[corner] + weft.force * shape.weft[corner] +
@@ -40,12 +42,14 @@ BendingEnergy bending_energy(const FabricLaw& law, const BendingShape& shape, co
   return {shape.area * warp.energy, shape.area * weft.energy, shape.area * 2 * law.twist * k.twist * k.twist};
 }
 
-Matrix3 bending_hessian(const FabricLaw& law, const BendingShape& shape, const Angles& angles) {
+Matrix3 bending_hessian(const FabricLaw& law, const BendingShape& shape, const Angles& angles,
+                        const ClothMemory* memory) {
   const Curvatures k = curvatures(shape, angles);
+  const Density along_warp = density(law.bend_warp, k.warp, memory != nullptr ? &memory->bend_warp : nullptr);
+  const Density along_weft = density(law.bend_weft, k.weft, memory != nullptr ? &memory->bend_weft : nullptr);
   const Eigen::Map<const Vector3> warp(shape.warp.data()), weft(shape.weft.data()), twist(shape.twist.data());
-  return shape.area *
-         (law.bend_warp(k.warp).stiffness * warp * warp.transpose() +
-          law.bend_weft(k.weft).stiffness * weft * weft.transpose() + 4 * law.twist * twist * twist.transpose());
+  return shape.area * (along_warp.stiffness * warp * warp.transpose() + along_weft.stiffness * weft * weft.transpose() +
+                       4 * law.twist * twist * twist.transpose());
 }
 
 namespace {

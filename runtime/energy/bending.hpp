@@ -28,10 +28,12 @@ Curvatures curvatures(const BendingShape& shape, const Angles& angles);
 struct BendingEnergy {
   double warp = 0, weft = 0, twist = 0;  // [J]
 };
-/// `moments`: the derivative by each of the three angles [N m], where given.
-BendingEnergy bending_energy(const FabricLaw& law, const BendingShape& shape, const Angles& angles, Angles* moments);
+/// `moments`: the derivative by each of the three angles [N m], where given. Without a memory on the loading branch.
+BendingEnergy bending_energy(const FabricLaw& law, const BendingShape& shape, const Angles& angles, Angles* moments,
+                             const ClothMemory* memory = nullptr);
 /// Second derivative by the angles.
-Matrix3 bending_hessian(const FabricLaw& law, const BendingShape& shape, const Angles& angles);
+Matrix3 bending_hessian(const FabricLaw& law, const BendingShape& shape, const Angles& angles,
+                        const ClothMemory* memory = nullptr);
 
 /// How the moments change where the corners' places in the plane (u0, v0, u1, …) do, and the angles stay.
 using Matrix36 = Eigen::Matrix<double, 3, 6>;

@@ -21,7 +21,7 @@ Corners corners(const std::array<int, 3>& vertices, const Vector& q) {
 
 }  // namespace
 
-ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law) : law_(law) {
+ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops) : law_(law) {
   triangles_.reserve(cloth.triangles.size());
   for (const ClothTriangle& triangle : cloth.triangles) {
     triangles_.push_back({triangle.vertices, membrane_shape(triangle.uv), bending_shape(triangle.uv), {}});
@@ -30,6 +30,7 @@ ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law) : law_(law) {
   make_hinges(cloth);
   unknowns_.hinges = static_cast<int>(hinges_.size());
   last_angle_.assign(hinges_.size(), 0.0);
+  if (loops == Loops::Remembered) memory_.resize(triangles_.size());
   make_elements();
 }
 
@@ -164,9 +165,9 @@ double ElasticForm::energy(const Vector& q, Vector* gradient) const {
     for (size_t t = begin; t < end; ++t) {
       const Triangle& triangle = triangles_[t];
       const MembraneEnergy stretch = membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q),
-                                                     gradient != nullptr ? &forces[t] : nullptr);
+                                                     gradient != nullptr ? &forces[t] : nullptr, memory(t));
       const BendingEnergy bend = bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q),
-                                                gradient != nullptr ? &moments[t] : nullptr);
+                                                gradient != nullptr ? &moments[t] : nullptr, memory(t));
       energies[t] = stretch.warp + stretch.weft + stretch.shear + bend.warp + bend.weft + bend.twist;
     }
   });
@@ -246,12 +247,14 @@ void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& thet
       for (size_t i = begin; i < end; ++i) {
         const Triangle& triangle = triangles_[first + i];
         const AnglesByUnknowns by_unknowns = angles_by_unknowns(first + i, slopes);
-        const Matrix3 by_angles = bending_hessian(law_, triangle.bending, triangle_angles(triangle, theta, q));
+        const Matrix3 by_angles =
+            bending_hessian(law_, triangle.bending, triangle_angles(triangle, theta, q), memory(first + i));
         dense[i].noalias() = by_unknowns.transpose() * (by_angles * by_unknowns);
         const Corners x = corners(triangle.vertices, q);
         const MembraneStrain stressed =
             foreseen_.empty() ? membrane_strain(triangle.membrane, x) : foreseen_[first + i];
-        dense[i].topLeftCorner<9, 9>() += membrane_hessian(law_, triangle.membrane, x, stressed, curvature);
+        dense[i].topLeftCorner<9, 9>() +=
+            membrane_hessian(law_, triangle.membrane, x, stressed, curvature, memory(first + i));
       }
     });
     for (size_t i = 0; i < count; ++i) {
@@ -268,9 +271,10 @@ void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& thet
 
 std::vector<double> ElasticForm::hinge_moments(const Vector& q, const std::vector<double>& theta) const {
   std::vector<double> moments(hinges_.size(), 0.0);
-  for (const Triangle& triangle : triangles_) {
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    const Triangle& triangle = triangles_[t];
     Angles moment{};
-    bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), &moment);
+    bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), &moment, memory(t));
     for (size_t corner = 0; corner < 3; ++corner) {
       moments[static_cast<size_t>(triangle.sides[corner].hinge)] += triangle.sides[corner].tilt / 2 * moment[corner];
     }
@@ -334,12 +338,28 @@ void ElasticForm::accept(const Vector& q) {
   last_angle_ = angles(q);
 }
 
+void ElasticForm::remember(const Vector& q) {
+  const std::vector<double> theta = angles(q);
+  for (size_t t = 0; t < memory_.size(); ++t) {
+    const Triangle& triangle = triangles_[t];
+    const Curvatures k = toile::curvatures(triangle.bending, triangle_angles(triangle, theta, q));
+    const double angle = membrane_strain(triangle.membrane, corners(triangle.vertices, q)).shear;
+    ClothMemory& memory = memory_[t];
+    memory = {anchor_after(law_.shear.loop(), memory.shear, angle),
+              anchor_after(law_.bend_warp.loop(), memory.bend_warp, k.warp),
+              anchor_after(law_.bend_weft.loop(), memory.bend_weft, k.weft)};
+  }
+}
+
 ElasticParts ElasticForm::parts(const Vector& q) const {
   const std::vector<double> theta = angles(q);
   ElasticParts parts;
-  for (const Triangle& triangle : triangles_) {
-    const MembraneEnergy stretch = membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q), nullptr);
-    const BendingEnergy bend = bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), nullptr);
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    const Triangle& triangle = triangles_[t];
+    const MembraneEnergy stretch =
+        membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q), nullptr, memory(t));
+    const BendingEnergy bend =
+        bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), nullptr, memory(t));
     parts.stretch.warp += stretch.warp;
     parts.stretch.weft += stretch.weft;
     parts.stretch.shear += stretch.shear;

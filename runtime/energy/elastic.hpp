@@ -48,9 +48,12 @@ struct PatternCoupling {
   Eigen::Matrix<double, Eigen::Dynamic, 6, 0, 21, 6> by_corners;
 };
 
+/// How the friction inside the cloth acts: as on the loading branch everywhere, or with the history of each triangle.
+enum class Loops { LoadingBranch, Remembered };
+
 class ElasticForm : public Form {
  public:
-  ElasticForm(const Cloth& cloth, const FabricLaw& law);
+  ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops = Loops::LoadingBranch);
 
   const ClothUnknowns& unknowns() const { return unknowns_; }
   const std::vector<ClothHinge>& hinges() const { return hinges_; }
@@ -66,6 +69,8 @@ class ElasticForm : public Form {
   /// Leonetti and Garcea, 2017): steps along folds become several times longer.
   void foresee(const Vector& q, const Vector& step) override;
   void accept(const Vector& q) override;
+  /// Takes q into the history of the loops: a step of the test, or of the wearing, ends there.
+  void remember(const Vector& q);
 
   ElasticParts parts(const Vector& q) const;
   /// Per triangle.
@@ -91,6 +96,7 @@ class ElasticForm : public Form {
     std::vector<std::int32_t> places;
   };
 
+  const ClothMemory* memory(std::size_t triangle) const { return memory_.empty() ? nullptr : &memory_[triangle]; }
   void make_hinges(const Cloth& cloth);
   void make_elements();
   std::vector<int> unknowns_of(const Element& element, const Triangle& triangle) const;
@@ -115,6 +121,7 @@ class ElasticForm : public Form {
   std::vector<std::vector<std::int32_t>> hinge_places_;
   std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
   std::vector<double> rotation_stiffness_;
+  std::vector<ClothMemory> memory_;       // of each triangle; empty where nothing is remembered
   std::vector<MembraneStrain> foreseen_;  // per triangle; empty before the first step
 };
 

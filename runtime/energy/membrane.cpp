@@ -117,11 +117,12 @@ MembraneStrain foreseen_strain(const MembraneShape& shape, const Corners& x, con
           shear_angle(f) + f.warp_turn.dot(warp) / f.warp_length + f.weft_turn.dot(weft) / f.weft_length};
 }
 
-MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient) {
+MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient,
+                               const ClothMemory* memory) {
   const Threads f = threads(shape, x);
   const Density warp = law.warp(f.warp_length - 1);
   const Density weft = law.weft(f.weft_length - 1);
-  const Density shear = law.shear(shear_angle(f));
+  const Density shear = density(law.shear, shear_angle(f), memory != nullptr ? &memory->shear : nullptr);
   if (gradient != nullptr) {
     const Vector3 by_fu = warp.force * f.warp + shear.force / f.warp_length * f.warp_turn;
     const Vector3 by_fv = weft.force * f.weft + shear.force / f.weft_length * f.weft_turn;
@@ -133,12 +134,14 @@ MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape,
 }
 
 Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x,
-                         const MembraneStrain& stressed, Curvature curvature) {
+                         const MembraneStrain& stressed, Curvature curvature, const ClothMemory* memory) {
+  const double* anchor = memory != nullptr ? &memory->shear : nullptr;
   const Threads f = threads(shape, x);
-  Density warp = law.warp(f.warp_length - 1), weft = law.weft(f.weft_length - 1), shear = law.shear(shear_angle(f));
+  Density warp = law.warp(f.warp_length - 1), weft = law.weft(f.weft_length - 1);
+  Density shear = density(law.shear, shear_angle(f), anchor);
   warp.force = law.warp(stressed.warp).force;
   weft.force = law.weft(stressed.weft).force;
-  shear.force = law.shear(stressed.shear).force;
+  shear.force = density(law.shear, stressed.shear, anchor).force;
   Matrix6 by_f = shear_hessian(shear, f, curvature);
   by_f.topLeftCorner<3, 3>() += elongation_hessian(warp, f.warp, f.warp_length, curvature);
   by_f.bottomRightCorner<3, 3>() += elongation_hessian(weft, f.weft, f.weft_length, curvature);

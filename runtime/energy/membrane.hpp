@@ -34,12 +34,14 @@ struct MembraneEnergy {
 using Vector9 = Eigen::Matrix<double, 9, 1>;
 using Matrix9 = Eigen::Matrix<double, 9, 9>;
 
-/// Energies; the gradient by the nine coordinates where `gradient` is given.
-MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient);
+/// Energies; the gradient by the nine coordinates where `gradient` is given. Without a memory shear is on its loading
+/// branch.
+MembraneEnergy membrane_energy(const FabricLaw& law, const MembraneShape& shape, const Corners& x, Vector9* gradient,
+                               const ClothMemory* memory = nullptr);
 /// The stresses that turn with the threads are those of the strain `stressed`: the true second derivative where that is
 /// the strain at x.
 Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const Corners& x,
-                         const MembraneStrain& stressed, Curvature curvature);
+                         const MembraneStrain& stressed, Curvature curvature, const ClothMemory* memory = nullptr);
 
 /// How the gradient changes where the corners' places in the plane (u0, v0, u1, …) do, and the triangle stays in space.
 using Matrix96 = Eigen::Matrix<double, 9, 6>;

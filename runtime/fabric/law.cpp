@@ -12,6 +12,9 @@ constexpr double kes_force = 490.3325;     // [N/m], 500 gf/cm
 constexpr double blend = 1e-4;             // half width of the passage from compression to tension
 constexpr double smoothing_curvature = 4;  // [1/m]
 constexpr double shear_smoothing = 0.25 * degree;
+// A loop with a memory is as steep at its beginning as the loading branch.
+constexpr double slip_curvature = 2 * smoothing_curvature;
+constexpr double slip_angle = 2 * shear_smoothing;
 constexpr double shear_loop_end = 8 * degree;
 constexpr double woven_locking = 40 * degree;
 
@@ -117,24 +120,48 @@ ShearLaw ShearLaw::softened(double share) const {
   return soft;
 }
 
+/// The threads begin to jam past the end of the loop.
+Density ShearLaw::jammed(Density density, double angle) const {
+  const double beyond = std::abs(angle) - shear_loop_end;
+  if (locking_ == 0 || beyond <= 0) return density;
+  const double jam = 10 * stiffness_ / ((locking_ - shear_loop_end) * (locking_ - shear_loop_end));
+  density.energy += jam * beyond * beyond * beyond * beyond / 4;
+  density.force += (angle > 0 ? 1 : -1) * jam * beyond * beyond * beyond;
+  density.stiffness += 3 * jam * beyond * beyond;
+  return density;
+}
+
+/// Past its end the loop no longer grows; the slope goes over smoothly within a degree.
+Density ShearLaw::past_loop(Density density, double angle) const {
+  const double beyond = std::abs(angle) - shear_loop_end;
+  if (locking_ == 0 || beyond <= 0) return density;
+  const bool passing = beyond < degree;
+  density.energy -= slope_ * (passing ? beyond * beyond * beyond / (6 * degree)
+                                      : degree * degree / 6 + (beyond - degree) * beyond / 2);
+  density.force -= (angle > 0 ? 1 : -1) * slope_ * (passing ? beyond * beyond / (2 * degree) : beyond - degree / 2);
+  density.stiffness -= slope_ * std::min(beyond / degree, 1.0);
+  return density;
+}
+
 Density ShearLaw::operator()(double angle) const {
   const double root = std::hypot(angle, shear_smoothing);
   Density density{0.5 * stiffness_ * angle * angle + step_ * (root - shear_smoothing),
                   stiffness_ * angle + step_ * angle / root,
                   stiffness_ + step_ * shear_smoothing * shear_smoothing / (root * root * root)};
-  const double beyond = std::abs(angle) - shear_loop_end;
-  if (locking_ == 0 || beyond <= 0) return density;
-  const double sign = angle > 0 ? 1 : -1;
-  // Past its end the loop no longer grows (the slope goes over smoothly within a degree), and the threads begin to jam.
-  const bool passing = beyond < degree;
-  const double fall = slope_ * (passing ? beyond * beyond / (2 * degree) : beyond - degree / 2);
-  const double fall_energy = slope_ * (passing ? beyond * beyond * beyond / (6 * degree)
-                                               : degree * degree / 6 + (beyond - degree) * beyond / 2);
-  const double jam = 10 * stiffness_ / ((locking_ - shear_loop_end) * (locking_ - shear_loop_end));
-  density.energy += jam * beyond * beyond * beyond * beyond / 4 - fall_energy;
-  density.force += sign * (jam * beyond * beyond * beyond - fall);
-  density.stiffness += 3 * jam * beyond * beyond - slope_ * std::min(beyond / degree, 1.0);
-  return density;
+  return jammed(past_loop(density, angle), angle);
+}
+
+Slip ShearLaw::loop() const {
+  return {slip_angle, step_, slope_, shear_loop_end + degree / 2};
+}
+
+Density ShearLaw::operator()(double angle, double anchor) const {
+  const double elastic = stiffness_ - slope_;
+  Density density = slip_density(loop(), anchor, angle);
+  density.energy += 0.5 * elastic * angle * angle;
+  density.force += elastic * angle;
+  density.stiffness += elastic;
+  return jammed(density, angle);
 }
 
 Density BendingLaw::operator()(double curvature) const {
@@ -142,6 +169,18 @@ Density BendingLaw::operator()(double curvature) const {
   return {0.5 * rigidity * curvature * curvature + friction * (root - smoothing_curvature),
           rigidity * curvature + friction * curvature / root,
           rigidity + friction * smoothing_curvature * smoothing_curvature / (root * root * root)};
+}
+
+Slip BendingLaw::loop() const {
+  return {slip_curvature, friction, 0, 0};
+}
+
+Density BendingLaw::operator()(double curvature, double anchor) const {
+  Density density = slip_density(loop(), anchor, curvature);
+  density.energy += 0.5 * rigidity * curvature * curvature;
+  density.force += rigidity * curvature;
+  density.stiffness += rigidity;
+  return density;
 }
 
 FabricLaw softened(const FabricLaw& law, double share) {
@@ -152,28 +191,51 @@ FabricLaw softened(const FabricLaw& law, double share) {
   return soft;
 }
 
-FabricLaw make_law(const FabricSheet& sheet) {
-  const WarpWeft emt = sheet.emt.value_or(WarpWeft{0.05, 0.05});
-  const WarpWeft lt = sheet.lt.value_or(WarpWeft{0.65, 0.65});
-  const WarpWeft b = sheet.b.value_or(WarpWeft{});
-  const WarpWeft hb = sheet.hb.value_or(WarpWeft{});
-  const auto mean = [](const std::optional<WarpWeft>& row, double otherwise) {
-    return row ? 0.5 * (row->warp + row->weft) : otherwise;
+FabricSheet with_class_values(FabricSheet sheet) {
+  const auto take = [](auto& row, auto value) {
+    if (!row) row = value;
   };
-  const double g = mean(sheet.g, 0.6 * 56.188);
-  const ShearLaw shear =
-      sheet.shear ? ShearLaw::linear(*sheet.shear) : ShearLaw(g, mean(sheet.hg, 0), mean(sheet.hg5, 0), woven_locking);
+  // Of LT, WT and EMT two say the third: WT = LT Fm EMT / 2.
+  const auto double_work = [&sheet](const std::optional<WarpWeft>& by) {
+    return WarpWeft{2 * sheet.wt->warp / kes_force / by->warp, 2 * sheet.wt->weft / kes_force / by->weft};
+  };
+  if (sheet.wt && sheet.lt) take(sheet.emt, double_work(sheet.lt));
+  if (sheet.wt && sheet.emt) take(sheet.lt, double_work(sheet.emt));
+  take(sheet.lt, WarpWeft{0.65, 0.65});
+  if (sheet.wt) take(sheet.emt, double_work(sheet.lt));
+  take(sheet.emt, WarpWeft{0.05, 0.05});
+  take(sheet.g, WarpWeft{0.6 * 56.188, 0.6 * 56.188});
+  take(sheet.hg, WarpWeft{});
+  take(sheet.hg5, *sheet.hg);
+  take(sheet.b, WarpWeft{});
+  take(sheet.hb, WarpWeft{});
+  take(sheet.twist, 0.5 * std::sqrt(sheet.b->warp * sheet.b->weft));
+  take(sheet.weight, 0.0);
+  if (!sheet.t0 || !sheet.tm) sheet.tm = 0.7 * sheet.t0.value_or(0.0005);
+  take(sheet.t0, 0.0005);
+  take(sheet.miu, 0.2);
+  return sheet;
+}
+
+FabricLaw make_law(const FabricSheet& measured) {
+  const FabricSheet sheet = with_class_values(measured);
+  const auto mean = [](const std::optional<WarpWeft>& row) { return 0.5 * (row->warp + row->weft); };
+  const auto elongation = [&sheet](double WarpWeft::*thread) {
+    return sheet.stretch ? ElongationLaw::linear((*sheet.stretch).*thread)
+                         : ElongationLaw::from_kes((*sheet.emt).*thread, (*sheet.lt).*thread);
+  };
   return FabricLaw{
-      .warp = sheet.stretch ? ElongationLaw::linear(sheet.stretch->warp) : ElongationLaw::from_kes(emt.warp, lt.warp),
-      .weft = sheet.stretch ? ElongationLaw::linear(sheet.stretch->weft) : ElongationLaw::from_kes(emt.weft, lt.weft),
-      .shear = shear,
-      .bend_warp = {b.warp, hb.warp / 2},
-      .bend_weft = {b.weft, hb.weft / 2},
-      .twist = sheet.twist.value_or(0.5 * std::sqrt(b.warp * b.weft)),
-      .weight = sheet.weight.value_or(0),
-      .thickness = sheet.t0.value_or(0.0005),
-      .pressure = layer_pressure(sheet.t0 && sheet.tm ? *sheet.tm / *sheet.t0 : 0.7),
-      .friction = sheet.miu.value_or(0.2),
+      .warp = elongation(&WarpWeft::warp),
+      .weft = elongation(&WarpWeft::weft),
+      .shear = sheet.shear ? ShearLaw::linear(*sheet.shear)
+                           : ShearLaw(mean(sheet.g), mean(sheet.hg), mean(sheet.hg5), woven_locking),
+      .bend_warp = {sheet.b->warp, sheet.hb->warp / 2},
+      .bend_weft = {sheet.b->weft, sheet.hb->weft / 2},
+      .twist = *sheet.twist,
+      .weight = *sheet.weight,
+      .thickness = *sheet.t0,
+      .pressure = layer_pressure(*sheet.tm / *sheet.t0),
+      .friction = *sheet.miu,
   };
 }
 

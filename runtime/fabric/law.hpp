@@ -3,15 +3,9 @@
 #pragma once
 
 #include "compiler/pattern/fabric_sheet.hpp"
+#include "runtime/fabric/slip.hpp"
 
 namespace toile {
-
-/// An energy density and its derivatives by the deformation.
-struct Density {
-  double energy = 0;
-  double force = 0;
-  double stiffness = 0;
-};
 
 /// Elongation along a thread, F(e) = Fm (exp(z e/em) - 1)/(exp(z) - 1) up to em, then straight on; under compression a
 /// tenth of the initial slope (the sheet buckles instead). A linear law acts both ways.
@@ -43,12 +37,18 @@ class ElongationLaw {
 class ShearLaw {
  public:
   ShearLaw(double stiffness, double hysteresis_half_degree, double hysteresis_five_degrees, double locking_angle);
+  /// On the loading branch; with an anchor of its friction, anywhere in the loop.
   Density operator()(double angle) const;
+  Density operator()(double angle, double anchor) const;
+  Slip loop() const;
   static ShearLaw linear(double stiffness);
   /// The same with so much of its force.
   ShearLaw softened(double share) const;
 
  private:
+  Density jammed(Density density, double angle) const;
+  Density past_loop(Density density, double angle) const;
+
   double stiffness_ = 0;  // [N/m per rad]
   double step_ = 0;       // [N/m] friction of the loop, extrapolated to zero angle
   double slope_ = 0;      // [N/m per rad] growth of the loop, taken off G past its end
@@ -60,7 +60,15 @@ struct BendingLaw {
   double rigidity = 0;  // B [N m]
   double friction = 0;  // HB [N]
   Density operator()(double curvature) const;
+  Density operator()(double curvature, double anchor) const;
+  Slip loop() const;
 };
+
+/// On the loading branch where there is no anchor.
+template <class Law>
+Density density(const Law& law, double deformation, const double* anchor) {
+  return anchor != nullptr ? law(deformation, *anchor) : law(deformation);
+}
 
 struct FabricLaw {
   ElongationLaw warp, weft;
@@ -73,7 +81,10 @@ struct FabricLaw {
   double friction = 0;   // [1] against the body
 };
 
-/// Missing rows take the class values of docs/mechanics.md (weight and bending are asked for by the compiler).
+/// The sheet with the class values of docs/mechanics.md in the rows that are missing (weight and bending are asked for
+/// by the compiler).
+FabricSheet with_class_values(FabricSheet sheet);
+/// Missing rows take class values.
 FabricLaw make_law(const FabricSheet& sheet);
 
 /// The same cloth, but with so much of its forces of elongation and shear.

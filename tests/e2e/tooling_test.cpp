@@ -116,5 +116,22 @@ TEST_F(Tooling, ImportOfWhatIsNoPatternIsAFailureOfTheFile) {
   EXPECT_EQ(call.toile("import a.json").exit_code, 2);
 }
 
+TEST_F(Tooling, KesPrintsTheSheetReadBackAndDrawsTheCurves) {
+  const Called read = call.toile("kes silk -o silk.svg");
+  EXPECT_EQ(read.exit_code, 0) << read.err;
+  EXPECT_THAT(read.out, HasSubstr("silk crepe de chine"));
+  EXPECT_THAT(read.out, HasSubstr("2HG5  gf/cm"));
+  EXPECT_THAT(call.scratch.read("silk.svg"), StartsWith("<svg"));
+  const Called misspelt = call.toile("kes slik");
+  EXPECT_EQ(misspelt.exit_code, 2);
+  EXPECT_THAT(misspelt.err, HasSubstr("did you mean `silk`"));
+  call.scratch.write("own.toile", "fabric sack {\n  B 1 gf*cm^2/cm\n  W 30 mg/cm^2\n}\n");
+  const Called own = call.toile("kes sack --in own.toile");
+  EXPECT_EQ(own.exit_code, 0) << own.err;
+  EXPECT_THAT(own.out, HasSubstr("class value"));
+  EXPECT_THAT(own.err, HasSubstr("wrote sack.kes.svg"));
+  EXPECT_EQ(call.toile("kes sack --in missing.toile").exit_code, 4);
+}
+
 }  // namespace
 }  // namespace toile

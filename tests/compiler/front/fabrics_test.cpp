@@ -72,6 +72,17 @@ TEST(Fabrics, TensileRowsThatContradictEachOtherAreAWarning) {
   EXPECT_TRUE(script.program->ok());
 }
 
+TEST(Fabrics, OtherRowsThatContradictEachOtherAreWarningsToo) {
+  const std::string rest = "  W 19 mg/cm^2\n  B 0.1 gf*cm^2/cm\n}\n";
+  EXPECT_THAT(Script("fabric a {\n  G 0.6 gf/cm/deg\n  2HG 1.5 gf/cm\n  2HG5 0.7 gf/cm\n" + rest).told(),
+              ElementsAre(AllOf(StartsWith("W0412 4:3"), HasSubstr("narrower at 5 deg"))));
+  EXPECT_THAT(Script("fabric a {\n  G 0.6 gf/cm/deg\n  2HG 1.5 gf/cm\n  2HG5 15 gf/cm\n" + rest).told(),
+              ElementsAre(AllOf(StartsWith("W0412 2:3"), HasSubstr("grows faster than its curve"))));
+  EXPECT_THAT(Script("fabric a {\n  T0 0.3 mm\n  Tm 0.5 mm\n" + rest).told(),
+              ElementsAre(AllOf(StartsWith("W0412 3:3"), HasSubstr("thicker under"))));
+  EXPECT_THAT(Script("fabric a {\n  G 0.6 gf/cm/deg\n  2HG 0.7 gf/cm\n  2HG5 1.5 gf/cm\n" + rest).told(), IsEmpty());
+}
+
 TEST(Textiles, ThreadsBecomeStripes) {
   const Script script("textile t {\n  thread 0.5mm\n  warp 8, #1f3a5f, 2, #ffffff\n}\ngarment g printed t {\n" +
                       square_piece);
