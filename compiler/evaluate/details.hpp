@@ -15,9 +15,9 @@ bool read_details(Session& session, const PieceInstance& piece, DraftPiece& draf
 /// Reads a line or a place that is marked on the cloth; other statements are passed by. False after a mistake.
 bool read_mark(Session& session, const Scope& scope, const syntax::View& written, DraftPiece& draft);
 
-/// The edge of the outline, or of a hole, by its path ("hem", "eye.rim"); nothing, with an error, when there is none,
-/// and nothing alone when its curve is not sound.
-std::optional<std::string> named_edge(Session& session, const PieceInstance& piece, const DraftPiece& draft,
-                                      const std::vector<syntax::Token>& path);
+/// The edge of the outline, or of a hole, by its path ("hem", "eye.rim"; `side[3]`); nothing, with an error, when there
+/// is none, and nothing alone when its curve is not sound.
+std::optional<std::string> named_edge(Session& session, const PieceInstance& piece, const Scope& scope,
+                                      const DraftPiece& draft, const syntax::View& reference);
 
 }  // namespace toile

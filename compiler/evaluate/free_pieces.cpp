@@ -21,6 +21,7 @@ PieceInstance& drawn(Session& session, const Scope& scope, const syntax::Piece& 
   PieceInstance& piece = *around.pieces.back();
   piece.name = name;
   piece.garment = &around;
+  piece.outer = around.scope.get();
   piece.written = written;
   PiecePlanner(session, around).plan_all();
   piece.scope = std::make_unique<Scope>(scope.module(), around.scope.get());
@@ -75,7 +76,7 @@ Value instantiate(Session& session, const PieceTemplate& piece, const std::vecto
 
 Value take(Session& session, PieceInstance& piece) {
   const auto written = piece.written.taken();
-  const Scope& scope = *piece.garment->scope;
+  const Scope& scope = *piece.outer;
   piece.taken = as_piece(session, evaluate(session, scope, written), scope.module().at(*written));
   piece.sound = piece.taken != nullptr;
   return piece.sound ? Value{PieceRef{piece.taken}} : Value{};

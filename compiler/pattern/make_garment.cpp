@@ -106,6 +106,7 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   check_worn_once(garment.wears, garment.pieces, findings);
   check_lengths(draft, seams, garment.pieces, findings);
   if (complete) check_ties(draft, garment, findings);
+  if (complete) check_gaps(garment, findings);
   add_tied_notches(garment.seams, garment.pieces);
   return garment;
 }

@@ -106,7 +106,10 @@ void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& p
 void check_lengths(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                    const std::vector<Piece>& pieces, Findings& findings);
 
-/// Of a garment that is worn no seam sews the right side of the cloth to the wrong one.
+/// Warns of a seam along whose line a piece is left for another place of the same piece.
+void check_gaps(const Garment& garment, Findings& findings);
+
+/// Of a garment that is worn no seam sews the right side of the cloth to the wrong one; of others that is asked about.
 void check_sides(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                  const std::vector<Piece>& pieces, Findings& findings);
 /// A seam of two pieces that explains why lines which should run on from one to the other do not.

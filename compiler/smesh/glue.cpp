@@ -114,11 +114,13 @@ std::vector<Crease> creases_of(const Piece& piece) {
   constexpr double kPressed = 170 * std::numbers::pi / 180;
   std::vector<Crease> creases;
   for (const LineMark& mark : piece.marks) {
-    const bool ridge = mark.kind == LineMark::Kind::Fold, valley = mark.kind == LineMark::Kind::InnerFold;
-    if (!ridge && !valley) continue;
+    if (!mark.folded()) continue;
+    const double angle = mark.kind == LineMark::Kind::Crease ? mark.angle
+                         : mark.kind == LineMark::Kind::Fold ? kPressed
+                                                             : -kPressed;
     const Vec2 from = mark.curve.start(), to = mark.curve.end();
     const double length = distance(from, to);
-    if (length > 0) creases.push_back({from, (to - from) / length, length, ridge ? kPressed : -kPressed});
+    if (length > 0) creases.push_back({from, (to - from) / length, length, angle});
   }
   return creases;
 }

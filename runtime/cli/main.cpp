@@ -28,6 +28,7 @@ WorkroomOptions workroom_options(const Arguments& arguments) {
   options.accuracy = arguments.accuracy;
   options.solver = arguments.solver;
   options.threads = arguments.threads;
+  options.patterns_only = arguments.task == Task::Compile || arguments.task == Task::Draft;
   if (!arguments.fabric.empty()) options.fabric = arguments.fabric;
   return options;
 }

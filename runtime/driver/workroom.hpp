@@ -28,7 +28,8 @@ struct WorkroomOptions {
   std::optional<double> accuracy;     // overrides the script's
   std::optional<std::string> fabric;  // a Toile expression that replaces the garment's cloth
   DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
-  int threads = 0;  // 0: as many as there are
+  int threads = 0;             // 0: as many as there are
+  bool patterns_only = false;  // nothing is put on: bodies need not be made where their measurements are known
 };
 
 class Workroom {

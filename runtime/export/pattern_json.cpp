@@ -74,8 +74,9 @@ const char* pressed(const Piece& piece, const Dart& dart) {
 Json line_marks(const Piece& piece) {
   Json list = Json::array();
   for (const LineMark& mark : piece.marks) {
-    constexpr const char* kinds[] = {"line", "fold", "inner_fold", "placement"};
+    constexpr const char* kinds[] = {"line", "crease", "fold", "inner_fold", "placement"};
     list.push_back({{"kind", kinds[static_cast<int>(mark.kind)]}, {"segments", json(mark.curve)}});
+    if (mark.kind == LineMark::Kind::Crease) list.back()["angle_rad"] = tidy(mark.angle);
   }
   return list;
 }
