@@ -230,13 +230,15 @@ struct chain : node<Kind::Chain, edge_ref, pegtl::star<sign<Kind::Plus>, more, e
 struct difference : pegtl::sor<word<Kind::KwEase>, word<Kind::KwGather>, word<Kind::KwStretch>> {};
 struct plain_sew_word
     : pegtl::sor<word<Kind::KwReversed>, word<Kind::KwZipped>, word<Kind::KwButtoned>, word<Kind::KwOpen>> {};
-struct sew_word : pegtl::sor<plain_sew_word, difference, word<Kind::KwNotch>, word<Kind::KwStep>> {};
+struct sew_word
+    : pegtl::sor<plain_sew_word, difference, word<Kind::KwNotch>, word<Kind::KwStep>, word<Kind::KwFolded>> {};
 struct fullness
     : pegtl::seq<difference, pegtl::opt<pegtl::not_at<sew_word>, pegtl::not_at<word<Kind::KwIn>>, expression>,
                  pegtl::opt<range>> {};
 struct tied_notches : pegtl::seq<word<Kind::KwNotch>, with_value<Kind::KwAt>, pegtl::star<comma, expression>> {};
 struct sew_option
-    : node<Kind::SewOption, pegtl::sor<plain_sew_word, fullness, tied_notches, with_value<Kind::KwStep>>> {};
+    : node<Kind::SewOption,
+           pegtl::sor<plain_sew_word, fullness, tied_notches, with_value<Kind::KwStep>, with_value<Kind::KwFolded>>> {};
 struct sew : line<Kind::Sew, word<Kind::KwSew>, chain, pegtl::plus<word<Kind::KwTo>, chain>, pegtl::star<sew_option>> {
 };
 

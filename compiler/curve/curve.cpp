@@ -45,6 +45,14 @@ void divide_stretch(const Segment& segment, double begin, double length, double 
   out.push_back(begin + s1);
 }
 
+// Appends the points after the first of a polygon that keeps to the cubic, halving it in its own parameter.
+void follow(const BezierSegment& bezier, double chord_error, int depth, std::vector<Vec2>& points) {
+  const Segment whole = bezier;
+  if (depth >= 16 || !(stray(whole) > chord_error)) return points.push_back(bezier.p3);
+  follow(std::get<BezierSegment>(toile::part(whole, 0, 0.5)), chord_error, depth + 1, points);
+  follow(std::get<BezierSegment>(toile::part(whole, 0.5, 1)), chord_error, depth + 1, points);
+}
+
 // The least number of equal parts of an arc whose sagittae stay within the error.
 int arc_divisions(const ArcSegment& arc, double chord_error) {
   const double cosine = std::clamp(1 - chord_error / arc.radius, 0.0, 1.0);
@@ -54,6 +62,9 @@ int arc_divisions(const ArcSegment& arc, double chord_error) {
 }
 
 }  // namespace
+
+Curve::Curve(std::vector<Segment> segments, std::vector<double> ends)
+    : segments_(std::move(segments)), ends_(std::move(ends)) {}
 
 Curve::Curve(std::vector<Segment> segments) : segments_(std::move(segments)) {
   double sum = 0;
@@ -92,7 +103,9 @@ double Curve::curvature(double s) const {
 Curve Curve::reversed() const {
   std::vector<Segment> backwards = each(segments_, [](const Segment& s) { return toile::reversed(s); });
   std::reverse(backwards.begin(), backwards.end());
-  return Curve(std::move(backwards));
+  std::vector<double> ends;
+  for (std::size_t i = ends_.size(); i-- > 0;) ends.push_back(i > 0 ? length() - ends_[i - 1] : length());
+  return {std::move(backwards), std::move(ends)};
 }
 
 Curve Curve::part(double s0, double s1) const {
@@ -114,13 +127,27 @@ Curve Curve::part(double s0, double s1) const {
 }
 
 Curve Curve::mirrored(Vec2 point, Vec2 axis) const {
-  return Curve(each(segments_, [&](const Segment& s) { return toile::mirrored(s, point, axis); }));
+  return {each(segments_, [&](const Segment& s) { return toile::mirrored(s, point, axis); }), ends_};
 }
 Curve Curve::moved(Vec2 shift) const {
-  return Curve(each(segments_, [&](const Segment& s) { return toile::moved(s, shift); }));
+  return {each(segments_, [&](const Segment& s) { return toile::moved(s, shift); }), ends_};
 }
 Curve Curve::rotated(double angle, Vec2 about) const {
-  return Curve(each(segments_, [&](const Segment& s) { return toile::rotated(s, angle, about); }));
+  return {each(segments_, [&](const Segment& s) { return toile::rotated(s, angle, about); }), ends_};
+}
+
+std::vector<Vec2> Curve::polygon(double chord_error) const {
+  std::vector<Vec2> points{start()};
+  for (const Segment& segment : segments_) {
+    if (const auto* bezier = std::get_if<BezierSegment>(&segment)) {
+      follow(*bezier, std::max(chord_error, 1e-12), 0, points);
+      continue;
+    }
+    const auto* arc = std::get_if<ArcSegment>(&segment);
+    const int parts = arc == nullptr ? 1 : std::max(1, arc_divisions(*arc, chord_error));
+    for (int k = 1; k <= parts; ++k) points.push_back(point(segment, static_cast<double>(k) / parts));
+  }
+  return points;
 }
 
 std::vector<double> Curve::divide(double chord_error, double longest) const {

@@ -55,8 +55,15 @@ class Curve {
   /// Arc lengths 0 = s0 < s1 < … = length() such that the chords between them stray from the curve by at most
   /// `chord_error` [m] and no two lie further apart than `longest` [m].
   std::vector<double> divide(double chord_error, double longest) const;
+  /// Points from the start to the end whose chords stray from the curve by at most `chord_error` [m]; no lengths are
+  /// asked for, so this costs little.
+  std::vector<Vec2> polygon(double chord_error) const;
 
  private:
+  friend Curve join(const std::vector<Curve>& curves);
+  /// For segments whose lengths are known.
+  Curve(std::vector<Segment> segments, std::vector<double> ends);
+
   std::vector<Segment> segments_;
   std::vector<double> ends_;  // arc length at the end of each segment
 };

@@ -12,6 +12,9 @@ namespace toile {
 /// Reads the details of a piece whose outline and holes are drafted. False after a mistake, which is reported.
 bool read_details(Session& session, const PieceInstance& piece, DraftPiece& draft);
 
+/// Whether cloth can be folded by that angle [rad]; if not that is reported.
+bool check_fold(Session& session, double angle, Location written);
+
 /// Reads a line or a place that is marked on the cloth; other statements are passed by. False after a mistake.
 bool read_mark(Session& session, const Scope& scope, const syntax::View& written, DraftPiece& draft);
 

@@ -4,6 +4,7 @@
 #include "compiler/evaluate/bodies.hpp"
 #include "compiler/evaluate/measurements.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/sewn_lengths.hpp"
 #include "compiler/units/unit.hpp"
 
 namespace toile {
@@ -152,6 +153,7 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
     return defined_in(access, *(*garment)->scope, "garment `" + (*garment)->draft.name + "`", "E0103");
   }
   if (const auto* piece = object.as<PieceRef>()) {
+    if (access.text == "sewn" && (*piece)->scope->own("sewn") == nullptr) return sewn_lengths(session, **piece);
     return defined_in(access, *(*piece)->scope, "piece `" + (*piece)->name + "`", "E0103");
   }
   if (const auto* hole = object.as<HoleRef>()) {

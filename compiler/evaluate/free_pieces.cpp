@@ -17,9 +17,10 @@ PieceInstance& drawn(Session& session, const Scope& scope, const syntax::Piece& 
   around.scope = std::make_unique<Scope>(scope.module(), &scope, false, kinds);
   around.draft.name = name;
   if (const auto parameters = written.parameters()) define_parameters(session, *around.scope, *parameters, arguments);
-  around.pieces.push_back(std::make_unique<PieceInstance>());
-  PieceInstance& piece = *around.pieces.back();
+  auto made = std::make_unique<PieceInstance>();
+  PieceInstance& piece = *made;
   piece.name = name;
+  around.add(std::move(made));
   piece.garment = &around;
   piece.outer = around.scope.get();
   piece.written = written;

@@ -140,7 +140,7 @@ class GarmentBuilder {
       garment_.sound = false;
       return;
     }
-    garment_.pieces.push_back(std::move(piece));
+    garment_.add(std::move(piece));
   }
 
   /// panel2 of a `for`, where there is a panel2 already.

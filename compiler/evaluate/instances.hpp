@@ -128,6 +128,10 @@ struct GarmentInstance {
   std::shared_ptr<BodyInstance> drawn_on;  // of pieces that are to be developed
 
   PieceInstance* piece(std::string_view piece_name) const;
+  void add(std::unique_ptr<PieceInstance> piece);
+
+ private:
+  std::map<std::string, PieceInstance*, std::less<>> by_name_;
 };
 
 /// A drape or a development.

@@ -43,7 +43,7 @@ class MarkReader {
       return true;
     }
     const auto angle = wanted_.quantity(fold, dimension::angle, "the angle by which a piece is folded");
-    return angle && is_straight(*curve->curve, *expr) && is_fold(*angle, *fold) &&
+    return angle && is_straight(*curve->curve, *expr) && check_fold(session_, *angle, module_.at(*fold)) &&
            (draft_.marks.push_back({LineMark::Kind::Crease, *curve->curve, at, *angle}), true);
   }
 
@@ -52,14 +52,6 @@ class MarkReader {
     session_.report.add(Problem("E0306", "a piece is folded along straight lines, and this is a curve")
                             .at(module_.at(written))
                             .help("mark line(from, to) folded 90deg"));
-    return false;
-  }
-
-  bool is_fold(double angle, const syntax::Expr& written) {
-    if (std::abs(angle) <= std::numbers::pi) return true;
-    session_.report.add(Problem("E0209", "a piece is folded by 180 degrees at most")
-                            .at(module_.at(written))
-                            .help("0deg is flat; a positive angle has the right side outside, a negative one inside"));
     return false;
   }
 
@@ -92,6 +84,14 @@ class MarkReader {
 };
 
 }  // namespace
+
+bool check_fold(Session& session, double angle, Location written) {
+  if (std::abs(angle) <= std::numbers::pi) return true;
+  session.report.add(Problem("E0209", "cloth is folded by 180 degrees at most")
+                         .at(written)
+                         .help("0deg is flat; a positive angle has the right side outside, a negative one inside"));
+  return false;
+}
 
 bool read_mark(Session& session, const Scope& scope, const syntax::View& written, DraftPiece& draft) {
   return MarkReader(session, scope, draft).read(written);

@@ -6,6 +6,7 @@
 #include <map>
 
 #include "compiler/evaluate/curves.hpp"
+#include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/repetition.hpp"
@@ -223,6 +224,11 @@ class SewingReader {
       case syntax::Kind::KwStep:
         seam.step = wanted_.count(option.amount(), "the step of a seam");
         return seam.step.has_value();
+      case syntax::Kind::KwFolded: {
+        const auto angle = wanted_.quantity(option.amount(), dimension::angle, "the angle of a folded seam");
+        if (angle) seam.angle = *angle;
+        return angle && check_fold(session_, *angle, module_.at(*option.amount()));
+      }
       case syntax::Kind::KwNotch:
         return read_notches(option, seam);
       default:

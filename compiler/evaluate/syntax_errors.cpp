@@ -138,7 +138,7 @@ std::string meant(const Source& source, const SyntaxError& error) {
   if (all.substr(error.span.begin).starts_with("/*")) return "a comment begins with `//` and ends with its line";
   const std::size_t before = all.substr(0, error.span.begin).find_last_not_of(' ');
   const bool in_braces = expects(error, "`}`") || (before != std::string_view::npos && all[before] == '{');
-  if (in_braces && (found == "\"" || found == "}") &&
+  if (in_braces && (found.empty() || found == "\"" || found == "}") &&
       all.substr(0, error.span.begin).rfind('"') != std::string_view::npos) {
     return "a value in a text stands in braces, `{length in cm}`; a brace that is meant is written `\\{`";
   }

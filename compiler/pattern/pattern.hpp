@@ -165,6 +165,7 @@ struct Seam {
   /// stretch that takes all the fullness. Between them, and to the ends, nodes lie at equal fractions.
   std::vector<std::array<double, 2>> ties{};
   std::vector<std::array<double, 2>> notches{};  // those of them that are marked
+  double angle = 0;  // [rad] at rest between the two sides' normals, as of a crease: an edge of a box
 };
 
 /// Edges worn at a line of the body.

@@ -89,6 +89,7 @@ void mark_seams(const Garment& garment, const PMesh& mesh, SMesh& s) {
           SMesh::Edge* edge = edge_between(s, s.s_of_p[run.first[i]], s.s_of_p[run.first[i + 1]]);
           if (edge == nullptr || edge->seam >= 0) continue;
           edge->seam = seam;
+          if (edge->wings.size() == 2) edge->crease = garment.seams[seam].angle;
           if (edge->wings.size() > 2) pair_wings(mesh, side_of(run.first, i), side_of(run.second, i), *edge);
         }
       }

@@ -175,17 +175,19 @@ Json ties(const Seam& seam) {
 }
 
 Json json(const Garment& garment, const Seam& seam) {
-  return {{"name", seam.name},
-          {"dart", seam.is_dart},
-          {"fullness", word(seam.fullness)},
-          {"stated_m", tidy(seam.stated)},
-          {"pleat", seam.is_pleat},
-          {"layer", seam.is_layer},
-          {"closure", closure(seam.closure)},
-          {"open", seam.open},
-          {"ties_m", ties(seam)},
-          {"first", json(garment, seam.first)},
-          {"second", json(garment, seam.second)}};
+  Json made{{"name", seam.name},
+            {"dart", seam.is_dart},
+            {"fullness", word(seam.fullness)},
+            {"stated_m", tidy(seam.stated)},
+            {"pleat", seam.is_pleat},
+            {"layer", seam.is_layer},
+            {"closure", closure(seam.closure)},
+            {"open", seam.open},
+            {"ties_m", ties(seam)},
+            {"first", json(garment, seam.first)},
+            {"second", json(garment, seam.second)}};
+  if (seam.angle != 0) made["angle_rad"] = tidy(seam.angle);
+  return made;
 }
 
 }  // namespace
