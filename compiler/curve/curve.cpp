@@ -63,9 +63,6 @@ int arc_divisions(const ArcSegment& arc, double chord_error) {
 
 }  // namespace
 
-Curve::Curve(std::vector<Segment> segments, std::vector<double> ends)
-    : segments_(std::move(segments)), ends_(std::move(ends)) {}
-
 Curve::Curve(std::vector<Segment> segments) : segments_(std::move(segments)) {
   double sum = 0;
   ends_.reserve(segments_.size());
@@ -103,9 +100,7 @@ double Curve::curvature(double s) const {
 Curve Curve::reversed() const {
   std::vector<Segment> backwards = each(segments_, [](const Segment& s) { return toile::reversed(s); });
   std::reverse(backwards.begin(), backwards.end());
-  std::vector<double> ends;
-  for (std::size_t i = ends_.size(); i-- > 0;) ends.push_back(i > 0 ? length() - ends_[i - 1] : length());
-  return {std::move(backwards), std::move(ends)};
+  return Curve(std::move(backwards));
 }
 
 Curve Curve::part(double s0, double s1) const {
@@ -127,13 +122,13 @@ Curve Curve::part(double s0, double s1) const {
 }
 
 Curve Curve::mirrored(Vec2 point, Vec2 axis) const {
-  return {each(segments_, [&](const Segment& s) { return toile::mirrored(s, point, axis); }), ends_};
+  return Curve(each(segments_, [&](const Segment& s) { return toile::mirrored(s, point, axis); }));
 }
 Curve Curve::moved(Vec2 shift) const {
-  return {each(segments_, [&](const Segment& s) { return toile::moved(s, shift); }), ends_};
+  return Curve(each(segments_, [&](const Segment& s) { return toile::moved(s, shift); }));
 }
 Curve Curve::rotated(double angle, Vec2 about) const {
-  return {each(segments_, [&](const Segment& s) { return toile::rotated(s, angle, about); }), ends_};
+  return Curve(each(segments_, [&](const Segment& s) { return toile::rotated(s, angle, about); }));
 }
 
 std::vector<Vec2> Curve::polygon(double chord_error) const {

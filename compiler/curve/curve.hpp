@@ -60,10 +60,6 @@ class Curve {
   std::vector<Vec2> polygon(double chord_error) const;
 
  private:
-  friend Curve join(const std::vector<Curve>& curves);
-  /// For segments whose lengths are known.
-  Curve(std::vector<Segment> segments, std::vector<double> ends);
-
   std::vector<Segment> segments_;
   std::vector<double> ends_;  // arc length at the end of each segment
 };

@@ -113,13 +113,8 @@ Curve extended(const Curve& curve, double before, double after) {
 
 Curve join(const std::vector<Curve>& curves) {
   std::vector<Segment> segments;
-  std::vector<double> ends;
-  for (const Curve& curve : curves) {
-    const double before = ends.empty() ? 0 : ends.back();
-    segments.insert(segments.end(), curve.segments_.begin(), curve.segments_.end());
-    for (const double end : curve.ends_) ends.push_back(before + end);
-  }
-  return {std::move(segments), std::move(ends)};
+  for (const Curve& curve : curves) segments.insert(segments.end(), curve.segments().begin(), curve.segments().end());
+  return Curve(std::move(segments));
 }
 
 }  // namespace toile

@@ -124,22 +124,22 @@ double stray_of(const BezierSegment& b) {
 
 // Newton on the arc length, kept inside a bracket that every step narrows.
 double bezier_parameter_at(const BezierSegment& b, double s, double length) {
-  double low = 0, high = 1;
-  double t = s / length, reached = bezier_length(b, 0, t);
+  double low = 0, high = 1, s_low = 0;
+  double t = s / length;
   for (int step = 0; step < 60; ++step) {
+    const double reached = s_low + bezier_length(b, low, t);
     const double excess = reached - s;
     if (std::abs(excess) <= 1e-14 * std::max(1.0, length)) break;
     if (excess > 0) {
       high = t;
     } else {
       low = t;
+      s_low = reached;
     }
     const double speed = norm(derivative_of(b, t));
     const double newton = t - excess / speed;
     const double next = newton > low && newton < high ? newton : (low + high) / 2;
     if (next == t) break;
-    // Only what lies between the two is measured: the shorter the step, the less that takes.
-    reached += next > t ? bezier_length(b, t, next) : -bezier_length(b, next, t);
     t = next;
   }
   return t;

@@ -64,6 +64,7 @@ class GarmentBuilder {
       if (const auto repeat = syntax::as<syntax::Repeat>(item)) define_repeated(*repeat, scope);
     }
     for (const auto& [name, all] : repeated_) {
+      if (all.empty()) continue;  // all their names were taken
       define(session_, scope, all.front()->written.name(), [&session = session_, &scope, pieces = all] {
         std::vector<Value> values;
         for (const PieceInstance* piece : pieces) values.push_back(force(session, *scope.own(piece->name)));
@@ -86,7 +87,14 @@ class GarmentBuilder {
       Scope& turn = *garment_.turns.back();
       for (const syntax::View item : syntax::items(repeat)) {
         if (const auto let = syntax::as<syntax::Let>(item)) define_let(session_, turn, *let);
-        if (const auto piece = syntax::as<syntax::Piece>(item); piece && piece->name()) {
+        const auto piece = syntax::as<syntax::Piece>(item);
+        if (piece && piece->name() && piece->parameters()) {
+          session_.report.add(
+              Problem("E0202", "a piece with parameters is drawn where it is called, not once for each value")
+                  .at(turn.module().at(*piece->name()))
+                  .help("define it outside of the `for`, and take it here: piece panel = gore(i)"));
+          garment_.sound = false;
+        } else if (piece && piece->name()) {
           const std::string name = session_.name_of(turn.module(), piece->name());
           define_piece(*piece, turn, fmt::format("{}", repeated_[name].size() + 1));
         }

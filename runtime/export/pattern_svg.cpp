@@ -185,7 +185,7 @@ class Sheet {
     return svg::text("soft", at, kMarkText, "fold", angle);
   }
 
-  // A divided edge is labelled once, on its longest part.
+  // A divided edge is labelled once, on its longest part; parts that are sewn elsewhere have their own letters.
   std::string edges() const {
     std::map<std::pair<std::string, Side>, std::pair<int, double>> labelled;  // longest part, whole length
     for (int i = 0; i < piece_.edge_count(); ++i) {
@@ -199,15 +199,28 @@ class Sheet {
     }
     std::string drawing;
     for (const auto& [name, where] : labelled) drawing += edge_label(where.first, where.second);
+    for (int i = 0; i < piece_.edge_count(); ++i) {
+      const PieceEdge& edge = piece_.edge(i);
+      const auto sewn = roles_.sewn.find({index_, i});
+      const auto label = labelled.find({edge.name, edge.side});
+      if (sewn == roles_.sewn.end() || label == labelled.end() || label->second.first == i) continue;
+      const auto main = roles_.sewn.find({index_, label->second.first});
+      if (main != roles_.sewn.end() && main->second.text == sewn->second.text) continue;
+      const double middle = edge.curve.length() / 2, scale = scale_of(edge);
+      const Vec2 inwards = perpendicular(edge.curve.tangent(middle));
+      drawing += badge(edge.curve.at(middle) + scale * kInside * inwards, sewn->second, scale);
+    }
     return drawing;
   }
+
+  static double scale_of(const PieceEdge& edge) { return std::clamp(edge.curve.length() / kFullSize, 0.5, 1.0); }
 
   std::string edge_label(int i, double whole) const {
     const PieceEdge& edge = piece_.edge(i);
     const std::pair<int, int> key{index_, i};
     const auto sewn = roles_.sewn.find(key);
     const auto worn = roles_.worn.find(key);
-    const double scale = std::clamp(edge.curve.length() / kFullSize, 0.5, 1.0), text = scale * kEdgeText;
+    const double scale = scale_of(edge), text = scale * kEdgeText;
     const double room = 0.9 * edge.curve.length(), sign_room = sewn != roles_.sewn.end() ? scale * 4 * kBadge : 0;
 
     const std::string length = " · " + centimetres(whole);
