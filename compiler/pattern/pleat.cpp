@@ -77,9 +77,10 @@ class PleatCutter {
         fmt::format("has no room on edge {}: it takes {} to {} of it, {}", quoted(edge), in_cm(from), in_cm(to),
                     beyond ? fmt::format("and that is {} long", in_cm(whole))
                            : std::string("where a dart or another pleat stands")),
-        fmt::format("its fold is at {}: the cloth turned under lies {} it, twice the depth, and once the depth is "
-                    "covered on the other side; move it, or make it less deep",
-                    in_cm(turn.fold), d > 0 ? "behind" : "before"));
+        fmt::format(
+            "its fold is at {}: it turns the cloth from there to {} under, which comes to lie below that up to {}; "
+            "move it, or make it less deep",
+            in_cm(turn.fold), in_cm(turn.fold + 2 * d), in_cm(turn.fold - d)));
   }
 
   Vec2 drawn_tangent(const EdgePlace& place) const {
