@@ -45,6 +45,10 @@ std::vector<View> items(View parent) {
   return found;
 }
 
+std::vector<Token> Allow::codes() const {
+  return names_of(*this);
+}
+
 std::string string_value(View piece, const Source& source) {
   std::string_view text = source.slice(piece.span());
   if (text.size() < 2) return {};

@@ -279,6 +279,7 @@ struct Pleat : ViewOf<Kind::Pleat> {
 /// A line inside the piece.
 struct Mark : ViewOf<Kind::Mark> {
   std::optional<Expr> curve() const { return child<Expr>(*this); }
+  std::optional<Expr> fold() const { return after<Expr>(*this, Kind::KwFolded); }
 };
 struct Drill : ViewOf<Kind::Drill> {
   std::optional<Expr> point() const { return child<Expr>(*this); }
@@ -315,6 +316,11 @@ struct Label : ViewOf<Kind::Label> {
 };
 
 /// `front.side`, `sleeve.cap.mirrored`: two names or more; `front.side in 0cm..18cm` a part of it.
+/// `[3]` behind the name of what a `for` has made.
+struct Which : ViewOf<Kind::Which> {
+  std::optional<Expr> number() const { return child<Expr>(*this); }
+};
+
 struct EdgeRef : ViewOf<Kind::EdgeRef> {
   std::vector<Token> path() const;
   std::optional<Range> range() const { return child<Range>(*this); }
@@ -350,6 +356,11 @@ struct Wear : ViewOf<Kind::Wear> {
   std::optional<Chain> chain() const { return child<Chain>(*this); }
   std::optional<Expr> line() const { return after<Expr>(*this, Kind::KwAt); }
   std::vector<WearOption> options() const { return all<WearOption>(*this); }
+};
+
+/// allow W0410, W0411
+struct Allow : ViewOf<Kind::Allow> {
+  std::vector<Token> codes() const;
 };
 
 /// arrange sleeve at (20cm, 0cm, 120cm) turned (0deg, 40deg, 0deg)

@@ -182,7 +182,10 @@ struct to_comma {
 template <typename BlockRule>
 struct to_block {
   static constexpr SkipTo skip = SkipTo::Block;
-  static void match(Reader& in) { (void)run<BlockRule>(in); }
+  static void match(Reader& in) {
+    (void)run<BlockRule>(in);
+    skip_as_error(in, in.offset(), SkipTo::Line);  // what stands behind the block belongs to the same mistake
+  }
 };
 
 /// A statement is recognised by its head. From there on it cannot fail: parts are kept up to the first mistake, which

@@ -27,6 +27,9 @@ using not_outside_rows = not_outside<statement_words(Kind::KwImport, Kind::KwGar
                                                      Kind::KwSew, Kind::KwWear, Kind::KwDrape, Kind::KwRender,
                                                      Kind::KwExport, Kind::KwExpect, Kind::KwOutline)>;
 
+/// Warnings that are meant to be: of the block around.
+struct allow : line<Kind::Allow, word<Kind::KwAllow>, any_name, pegtl::star<comma, any_name>> {};
+
 // ------------------------------------------------------------------------------------------------ definitions
 
 struct import
@@ -144,15 +147,23 @@ struct circle_walk : node<Kind::CircleWalk, word<Kind::KwCircle>, with_value<Kin
 struct along_walk : node<Kind::AlongWalk, with_value<Kind::KwAlong>> {};
 struct walk : pegtl::sor<line_walk, curve_walk, arc_walk, bezier_walk, circle_walk, along_walk> {};
 struct edge : line<Kind::Edge, pegtl::seq<not_outside_edges, any_name>, assign, walk> {};
+/// An edge may have any name, `for` too.
+struct edge_called_for : gap_before<pegtl::seq<spelled<Kind::KwFor>, sign<Kind::Assign>>> {};
+/// The same edges once for each value.
+struct repeated_edges : statement<Kind::Repeat, word<Kind::KwFor>, to_block<block<0, edge>>, node<Kind::For, generated>,
+                                  block<0, edge>, at_end<>> {};
 
-struct edges : block<0, edge> {};
+struct edges : block<0, pegtl::sor<pegtl::seq<pegtl::not_at<edge_called_for>, repeated_edges>, edge>> {};
 struct outline : statement<Kind::Outline, word<Kind::KwOutline>, to_block<edges>, pegtl::opt<with_value<Kind::KwFrom>>,
                            edges, at_end<>> {};
 struct hole : statement<Kind::Hole, word<Kind::KwHole>, to_block<edges>, pegtl::opt<name_before<Kind::KwFrom>>,
                         with_value<Kind::KwFrom>, edges, at_end<>> {};
 
+/// `side[3]` of what a `for` has made.
+struct which : node<Kind::Which, bracketed<Kind::LeftBracket, Kind::RightBracket, expression>> {};
+struct numbered_name : pegtl::seq<any_name, pegtl::opt<gap_before<pegtl::at<pegtl::one<'['>>>, which>> {};
 /// `hem`, or `eye.rim` for the edge of a hole.
-struct edge_name : pegtl::seq<any_name, pegtl::star<sign<Kind::Dot>, any_name>> {};
+struct edge_name : pegtl::seq<numbered_name, pegtl::star<sign<Kind::Dot>, numbered_name>> {};
 struct position : node<Kind::Position, expression, word<Kind::KwOf>, edge_name> {};
 struct fold : line<Kind::Fold, word<Kind::KwFold>, any_name> {};
 struct cut : line<Kind::Cut, word<Kind::KwCut>, expression, pegtl::opt<word<Kind::KwMirrored>>> {};
@@ -180,7 +191,7 @@ struct spread : line<Kind::Spread, word<Kind::KwSpread>, expression, on_edge,
                      pegtl::sor<pegtl::seq<word<Kind::KwTo>, position>, pegtl::seq<comma, expression, on_edge>>> {};
 struct pleat : statement<Kind::Pleat, word<Kind::KwPleat>, to_block<details>, pegtl::opt<name_before<Kind::KwAt>>,
                          on_edge, pegtl::opt<word<Kind::KwTo>, position>, details, at_end<>> {};
-struct mark : line<Kind::Mark, word<Kind::KwMark>, expression> {};
+struct mark : line<Kind::Mark, word<Kind::KwMark>, expression, pegtl::opt<with_value<Kind::KwFolded>>> {};
 struct drill : line<Kind::Drill, word<Kind::KwDrill>, with_value<Kind::KwAt>> {};
 struct buttonhole : statement<Kind::Buttonhole, word<Kind::KwButtonhole>, to_block<properties>, with_value<Kind::KwAt>,
                               properties, at_end<>> {};
@@ -198,8 +209,8 @@ struct label : line<Kind::Label, word<Kind::KwLabel>, expression> {};
 
 /// "And the rest as before": what a varied piece does not mention it has from its model, said or unsaid.
 struct and_so_on : sign<Kind::Ellipsis> {};
-struct piece_item
-    : pegtl::sor<and_so_on, outline, let, solve, fold, detail, pivot, grain, allowance, cut, label, hole, repeat> {};
+struct piece_item : pegtl::sor<and_so_on, outline, let, solve, fold, detail, pivot, grain, allowance, cut, label, hole,
+                               repeat, allow> {};
 struct piece_block : block<piece_words, piece_item> {};
 struct piece
     : statement<
@@ -212,20 +223,22 @@ struct piece
 // --------------------------------------------------------------------------------------------------- garments
 
 struct edge_ref
-    : called<Kind::EdgeRef, node<Kind::EdgeRef, any_name, pegtl::plus<sign<Kind::Dot>, any_name>, pegtl::opt<range>>> {
-};
+    : called<Kind::EdgeRef,
+             node<Kind::EdgeRef, numbered_name, pegtl::plus<sign<Kind::Dot>, numbered_name>, pegtl::opt<range>>> {};
 struct chain : node<Kind::Chain, edge_ref, pegtl::star<sign<Kind::Plus>, more, edge_ref>> {};
 
 struct difference : pegtl::sor<word<Kind::KwEase>, word<Kind::KwGather>, word<Kind::KwStretch>> {};
 struct plain_sew_word
     : pegtl::sor<word<Kind::KwReversed>, word<Kind::KwZipped>, word<Kind::KwButtoned>, word<Kind::KwOpen>> {};
-struct sew_word : pegtl::sor<plain_sew_word, difference, word<Kind::KwNotch>, word<Kind::KwStep>> {};
+struct sew_word
+    : pegtl::sor<plain_sew_word, difference, word<Kind::KwNotch>, word<Kind::KwStep>, word<Kind::KwFolded>> {};
 struct fullness
     : pegtl::seq<difference, pegtl::opt<pegtl::not_at<sew_word>, pegtl::not_at<word<Kind::KwIn>>, expression>,
                  pegtl::opt<range>> {};
 struct tied_notches : pegtl::seq<word<Kind::KwNotch>, with_value<Kind::KwAt>, pegtl::star<comma, expression>> {};
 struct sew_option
-    : node<Kind::SewOption, pegtl::sor<plain_sew_word, fullness, tied_notches, with_value<Kind::KwStep>>> {};
+    : node<Kind::SewOption,
+           pegtl::sor<plain_sew_word, fullness, tied_notches, with_value<Kind::KwStep>, with_value<Kind::KwFolded>>> {};
 struct sew : line<Kind::Sew, word<Kind::KwSew>, chain, pegtl::plus<word<Kind::KwTo>, chain>, pegtl::star<sew_option>> {
 };
 
@@ -233,10 +246,18 @@ struct wear_option
     : node<Kind::WearOption, pegtl::sor<word<Kind::KwHeld>, word<Kind::KwPlaced>, with_value<Kind::KwFrom>>> {};
 struct wear : line<Kind::Wear, word<Kind::KwWear>, chain, word<Kind::KwAt>, expression, pegtl::star<wear_option>> {};
 
-struct arrange : line<Kind::Arrange, word<Kind::KwArrange>, any_name, word<Kind::KwAt>, expression,
+struct arrange : line<Kind::Arrange, word<Kind::KwArrange>, numbered_name, word<Kind::KwAt>, expression,
                       pegtl::opt<with_value<Kind::KwTurned>>> {};
 
-struct garment_item : pegtl::sor<let, solve, piece, sew, wear, arrange, param, fn> {};
+/// Pieces, and what joins them, once for each value.
+struct garment_repeated_item;
+struct garment_repeated : block<statement_words(Kind::KwLet, Kind::KwPiece, Kind::KwSew, Kind::KwWear, Kind::KwArrange),
+                                garment_repeated_item> {};
+struct garment_repeat : statement<Kind::Repeat, word<Kind::KwFor>, to_block<garment_repeated>,
+                                  node<Kind::For, generated>, garment_repeated, at_end<>> {};
+struct garment_repeated_item : pegtl::sor<let, piece, sew, wear, arrange, garment_repeat> {};
+
+struct garment_item : pegtl::sor<let, solve, piece, sew, wear, arrange, param, fn, allow, garment_repeat> {};
 struct garment_block : block<garment_words, garment_item> {};
 struct garment
     : statement<Kind::Garment, word<Kind::KwGarment>, to_block<garment_block>, any_name, pegtl::opt<parameters>,
@@ -262,7 +283,7 @@ struct print : line<Kind::Print, word<Kind::KwPrint>, expression, pegtl::star<co
 struct expect : line<Kind::Expect, word<Kind::KwExpect>, expression> {};
 
 struct file_item : pegtl::sor<let, param, solve, fn, import, garment, piece, fabric, textile, sizes, body, drape,
-                              develop, render, export_, print, expect> {};
+                              develop, render, export_, print, expect, allow> {};
 
 /// Statements to the end of the text. Always succeeds.
 struct file {

@@ -43,13 +43,14 @@ constexpr StatementWords statement_words(Kinds... keywords) {
 inline constexpr StatementWords file_words =
     statement_words(Kind::KwImport, Kind::KwParam, Kind::KwLet, Kind::KwFn, Kind::KwSolve, Kind::KwFabric,
                     Kind::KwTextile, Kind::KwSizes, Kind::KwBody, Kind::KwGarment, Kind::KwPiece, Kind::KwDrape,
-                    Kind::KwDevelop, Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect);
-inline constexpr StatementWords garment_words = statement_words(
-    Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear, Kind::KwArrange);
+                    Kind::KwDevelop, Kind::KwRender, Kind::KwExport, Kind::KwPrint, Kind::KwExpect, Kind::KwAllow);
+inline constexpr StatementWords garment_words =
+    statement_words(Kind::KwLet, Kind::KwParam, Kind::KwFn, Kind::KwSolve, Kind::KwPiece, Kind::KwSew, Kind::KwWear,
+                    Kind::KwArrange, Kind::KwAllow);
 inline constexpr StatementWords piece_words =
     statement_words(Kind::KwLet, Kind::KwSolve, Kind::KwOutline, Kind::KwHole, Kind::KwFold, Kind::KwCut, Kind::KwGrain,
                     Kind::KwDart, Kind::KwNotch, Kind::KwPivot, Kind::KwSpread, Kind::KwPleat, Kind::KwMark,
-                    Kind::KwDrill, Kind::KwButtonhole, Kind::KwButton, Kind::KwAllowance, Kind::KwLabel);
+                    Kind::KwDrill, Kind::KwButtonhole, Kind::KwButton, Kind::KwAllowance, Kind::KwLabel, Kind::KwAllow);
 /// What may stand under the `for` of a piece.
 inline constexpr StatementWords repeated_words =
     statement_words(Kind::KwDart, Kind::KwNotch, Kind::KwSpread, Kind::KwPleat, Kind::KwMark, Kind::KwDrill,

@@ -2,7 +2,9 @@
 // agree. Halving closes in on cusps, where the speed is no polynomial, geometrically fast.
 #include <algorithm>
 #include <array>
+#include <bit>
 #include <cmath>
+#include <cstdint>
 #include <numbers>
 
 #include "compiler/curve/segment.hpp"
@@ -63,12 +65,44 @@ double adaptive(const BezierSegment& bezier, double t0, double t1, double coarse
          adaptive(bezier, middle, t1, right, tolerance, depth + 1);
 }
 
-}  // namespace
-
-double bezier_length(const BezierSegment& bezier, double t0, double t1) {
+double measured(const BezierSegment& bezier, double t0, double t1) {
   const double coarse = quadrature(bezier, t0, t1);
   if (!std::isfinite(coarse)) return coarse;
   return adaptive(bezier, t0, t1, coarse, kTolerance * std::max(1.0, coarse), 0);
+}
+
+// Curves are joined, copied and cut out of each other, and the same cubic is measured over and over: the lengths of
+// whole ones are remembered, each in the place that its control points choose. What is remembered is what was
+// computed, so no result depends on it.
+class Remembered {
+ public:
+  double length(const BezierSegment& bezier) {
+    const std::array<double, 8> key{bezier.p0.x, bezier.p0.y, bezier.p1.x, bezier.p1.y,
+                                    bezier.p2.x, bezier.p2.y, bezier.p3.x, bezier.p3.y};
+    std::uint64_t hash = 0;
+    for (const double number : key) hash = (hash ^ std::bit_cast<std::uint64_t>(number)) * 0x9e3779b97f4a7c15u;
+    Entry& entry = entries_[hash >> (64 - kBits)];
+    if (!entry.known || entry.key != key) entry = {key, measured(bezier, 0, 1), true};
+    return entry.length;
+  }
+
+ private:
+  static constexpr int kBits = 9;
+  struct Entry {
+    std::array<double, 8> key{};
+    double length = 0;
+    bool known = false;
+  };
+
+  std::array<Entry, 1 << kBits> entries_{};
+};
+
+}  // namespace
+
+double bezier_length(const BezierSegment& bezier, double t0, double t1) {
+  thread_local Remembered remembered;
+  if (t0 == 0 && t1 == 1) return remembered.length(bezier);
+  return measured(bezier, t0, t1);
 }
 
 }  // namespace toile

@@ -75,6 +75,39 @@ bool boxes_apart(const Part& a, const Part& b) {
   return apart(a.from.x, a.to.x, b.from.x, b.to.x) || apart(a.from.y, a.to.y, b.from.y, b.to.y);
 }
 
+// The directions in which a part lies as seen from `p`, one of its ends: its control points but that end. Those of an
+// arc are where the tangents at its ends meet, and the other end.
+std::vector<Vec2> directions_from(const Part& seen, Vec2 p) {
+  std::vector<Vec2> points{seen.from, seen.to};
+  const Segment whole = part(*seen.segment, seen.t0, seen.t1);
+  if (const auto* b = std::get_if<BezierSegment>(&whole)) points = {b->p0, b->p1, b->p2, b->p3};
+  if (const auto* a = std::get_if<ArcSegment>(&whole)) {
+    const double half = a->sweep / 2;
+    points.push_back(a->centre + a->radius / std::cos(half) * direction(a->start + half));
+  }
+  std::vector<Vec2> directions;
+  for (const Vec2 point : points) {
+    const double away = distance(point, p);
+    if (away > kTouch) directions.push_back((point - p) / away);
+  }
+  return directions;
+}
+
+// Two parts that follow on each other meet nowhere but there when a line through that place parts them. So it is at
+// nearly every corner and joint, and the search would halve its way down to it.
+bool parted_at_joint(const Part& a, const Part& b) {
+  const Vec2 p = a.to;
+  if (distance(p, b.from) > 1e-12) return false;
+  const std::vector<Vec2> before = directions_from(a, p), after = directions_from(b, p);
+  Vec2 across{0, 0};
+  for (const Vec2 d : before) across = across + d / static_cast<double>(before.size());
+  for (const Vec2 d : after) across = across - d / static_cast<double>(after.size());
+  if (before.empty() || after.empty() || norm(across) < 1e-3) return false;
+  const double margin = 1e-6 * norm(across);
+  return std::ranges::all_of(before, [&](Vec2 d) { return dot(d, across) > margin; }) &&
+         std::ranges::all_of(after, [&](Vec2 d) { return dot(d, across) < -margin; });
+}
+
 struct Meeting {
   double t = 0, u = 0;  // native parameters of the two segments
 };
@@ -199,7 +232,11 @@ std::vector<Crossing> self_crossings(const Curve& curve) {
   });
   const std::vector<Part> parts = parts_of(curve);
   for (std::size_t i = 0; i < parts.size(); ++i) {
-    for (std::size_t j = i + 1; j < parts.size(); ++j) search.pair(parts[i], parts[j]);
+    for (std::size_t j = i + 1; j < parts.size(); ++j) {
+      const bool joined = (j == i + 1 && parted_at_joint(parts[i], parts[j])) ||
+                          (j + 1 == parts.size() && i == 0 && closed && parted_at_joint(parts[j], parts[i]));
+      if (!joined) search.pair(parts[i], parts[j]);
+    }
   }
   return search.take();
 }

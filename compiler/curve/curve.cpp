@@ -45,6 +45,14 @@ void divide_stretch(const Segment& segment, double begin, double length, double 
   out.push_back(begin + s1);
 }
 
+// Appends the points after the first of a polygon that keeps to the cubic, halving it in its own parameter.
+void follow(const BezierSegment& bezier, double chord_error, int depth, std::vector<Vec2>& points) {
+  const Segment whole = bezier;
+  if (depth >= 16 || !(stray(whole) > chord_error)) return points.push_back(bezier.p3);
+  follow(std::get<BezierSegment>(toile::part(whole, 0, 0.5)), chord_error, depth + 1, points);
+  follow(std::get<BezierSegment>(toile::part(whole, 0.5, 1)), chord_error, depth + 1, points);
+}
+
 // The least number of equal parts of an arc whose sagittae stay within the error.
 int arc_divisions(const ArcSegment& arc, double chord_error) {
   const double cosine = std::clamp(1 - chord_error / arc.radius, 0.0, 1.0);
@@ -121,6 +129,20 @@ Curve Curve::moved(Vec2 shift) const {
 }
 Curve Curve::rotated(double angle, Vec2 about) const {
   return Curve(each(segments_, [&](const Segment& s) { return toile::rotated(s, angle, about); }));
+}
+
+std::vector<Vec2> Curve::polygon(double chord_error) const {
+  std::vector<Vec2> points{start()};
+  for (const Segment& segment : segments_) {
+    if (const auto* bezier = std::get_if<BezierSegment>(&segment)) {
+      follow(*bezier, std::max(chord_error, 1e-12), 0, points);
+      continue;
+    }
+    const auto* arc = std::get_if<ArcSegment>(&segment);
+    const int parts = arc == nullptr ? 1 : std::max(1, arc_divisions(*arc, chord_error));
+    for (int k = 1; k <= parts; ++k) points.push_back(point(segment, static_cast<double>(k) / parts));
+  }
+  return points;
 }
 
 std::vector<double> Curve::divide(double chord_error, double longest) const {

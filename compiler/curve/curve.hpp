@@ -55,6 +55,9 @@ class Curve {
   /// Arc lengths 0 = s0 < s1 < … = length() such that the chords between them stray from the curve by at most
   /// `chord_error` [m] and no two lie further apart than `longest` [m].
   std::vector<double> divide(double chord_error, double longest) const;
+  /// Points from the start to the end whose chords stray from the curve by at most `chord_error` [m]; no lengths are
+  /// asked for, so this costs little.
+  std::vector<Vec2> polygon(double chord_error) const;
 
  private:
   std::vector<Segment> segments_;

@@ -242,7 +242,8 @@ double distance_to_segment(Vec2 point, Vec2 from, Vec2 to) {
   const Vec2 along = to - from;
   const double square = dot(along, along);
   const double t = square > 0 ? std::clamp(dot(point - from, along) / square, 0.0, 1.0) : 0.0;
-  return distance(point, from + t * along);
+  const Vec2 off = point - (from + t * along);
+  return std::sqrt(dot(off, off));  // lengths of cloth: nothing that hypot() would have to save from overflow
 }
 
 }  // namespace toile

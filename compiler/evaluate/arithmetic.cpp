@@ -106,7 +106,9 @@ Value quotient(Session& session, const Operand& left, const Operand& right) {
     return wrong_operands(session, Kind::Slash, left, right);
   }
   if (known && b->si == 0) {
-    session.report.add(Problem("E0206", "division by zero").at(right.at, "this is zero"));
+    session.report.add(Problem("E0206", "division by zero")
+                           .at(right.at, "this is zero")
+                           .help("where it may be zero, ask first: if n == 0 then 0cm else length / n"));
     return Unknown{};
   }
   if (a == nullptr) return scaled(left.value, dimension::number / b->dimension, known ? 1 / b->si : 0, known);

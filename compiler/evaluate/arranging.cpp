@@ -8,6 +8,7 @@
 
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/want.hpp"
 
 namespace toile {
@@ -15,15 +16,17 @@ namespace {
 
 class ArrangementReader {
  public:
-  ArrangementReader(Session& session, GarmentInstance& garment)
-      : session_(session), garment_(garment), module_(garment.scope->module()), wanted_{session, *garment.scope} {}
+  ArrangementReader(Session& session, GarmentInstance& garment, const Scope& scope)
+      : session_(session), garment_(garment), scope_(scope), module_(scope.module()), wanted_{session, scope} {}
 
   bool read(const syntax::Arrange& arrange) {
     const auto name = arrange.piece();
     if (!name) return false;
     DraftArrangement made;
     made.written = module_.at(arrange);
-    made.piece = session_.name_of(module_, *name);
+    const std::optional<std::vector<std::string>> path = path_of(session_, scope_, arrange);
+    if (!path || path->empty()) return false;
+    made.piece = path->front();
     if (garment_.piece(made.piece) == nullptr) {
       std::vector<std::string> names;
       for (const auto& each : garment_.pieces) names.push_back(each->name);
@@ -58,7 +61,7 @@ class ArrangementReader {
 
   std::optional<std::array<double, 3>> triple(const std::optional<syntax::Expr>& expr, Dimension wanted_dimension,
                                               const std::string& what, const std::string& wanted) {
-    const Value value = evaluate(session_, *garment_.scope, expr);
+    const Value value = evaluate(session_, scope_, expr);
     if (value.unknown()) return std::nullopt;
     const auto* point = value.as<Point3>();
     if (point == nullptr || point->dimension != wanted_dimension) {
@@ -71,14 +74,15 @@ class ArrangementReader {
 
   Session& session_;
   GarmentInstance& garment_;
+  const Scope& scope_;
   const Module& module_;
   Wanted wanted_;
 };
 
 }  // namespace
 
-void read_arrangement(Session& session, GarmentInstance& garment, const syntax::Arrange& arrange) {
-  if (!ArrangementReader(session, garment).read(arrange)) garment.sound = false;
+void read_arrangement(Session& session, GarmentInstance& garment, const Scope& scope, const syntax::Arrange& arrange) {
+  if (!ArrangementReader(session, garment, scope).read(arrange)) garment.sound = false;
 }
 
 }  // namespace toile

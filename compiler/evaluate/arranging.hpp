@@ -6,6 +6,6 @@
 namespace toile {
 
 /// Adds to the garment's draft; `garment.sound` is false after a mistake.
-void read_arrangement(Session& session, GarmentInstance& garment, const syntax::Arrange& arrange);
+void read_arrangement(Session& session, GarmentInstance& garment, const Scope& scope, const syntax::Arrange& arrange);
 
 }  // namespace toile

@@ -27,16 +27,17 @@ void define_lets(Session& session, Scope& inside, const syntax::Body& written) {
   }
 }
 
-/// Whether the measurements, the default ones among them, can be those of one figure.
-void warn_of_figure(Session& session, const Scope& inside, const std::string& name,
-                    const std::vector<std::optional<Given>>& arguments) {
+/// Asks about measurements, the default ones among them, that are hardly those of one figure; false for impossible
+/// ones.
+bool check_figure(Session& session, const Scope& inside, const std::string& name,
+                  const std::vector<std::optional<Given>>& arguments) {
   std::vector<Measured> measured;
   for (std::size_t i = 0; i < inside.definitions().size(); ++i) {
     Definition& parameter = *inside.definitions()[i];
     const bool given = i < arguments.size() && arguments[i].has_value();
     measured.push_back({parameter.name, force(session, parameter), given ? arguments[i]->at : parameter.at, given});
   }
-  warn_of_implausible(session, fmt::format("body `{}` has", name), measured);
+  return check_measurements(session, fmt::format("body `{}`", name), measured);
 }
 
 /// A form of the sections and limbs in its braces.
@@ -49,7 +50,7 @@ Value form_of(Session& session, const Scope& scope, const syntax::Body& written,
   Scope inside(scope.module(), &scope, true);
   if (const auto parameters = written.parameters()) {
     define_parameters(session, inside, *parameters, arguments);
-    warn_of_figure(session, inside, name, arguments);
+    if (!check_figure(session, inside, name, arguments)) return Unknown{};
   }
   define_lets(session, inside, written);
   apply_parts(session, inside, parts_of(written), *body);
@@ -133,6 +134,37 @@ const std::vector<BodyLineFacts>* body_lines(Session& session, BodyInstance& bod
   }
   body.lines = std::get<std::vector<BodyLineFacts>>(std::move(measured));
   return &*body.lines;
+}
+
+std::optional<std::vector<std::string>> line_names(const BodySpec& body) {
+  const auto* form = std::get_if<FormSpec>(&body.shape);
+  if (form == nullptr) return std::nullopt;
+  std::vector<std::string> names;
+  bool has_waist = false;
+  for (const BodySection& section : form->sections) {
+    if (!section.name.empty()) names.push_back(section.name);
+    has_waist = has_waist || section.name == "waist";
+  }
+  const auto add_pair = [&names](const std::string& name) {
+    names.push_back("left_" + name);
+    names.push_back("right_" + name);
+  };
+  for (const BodyLimb& limb : form->limbs) {
+    if (limb.kind == BodyLimb::Kind::Arm) add_pair("armhole");
+    if (limb.kind == BodyLimb::Kind::Leg) add_pair("leg");
+    if (limb.kind == BodyLimb::Kind::Leg && has_waist) add_pair("crotch");
+  }
+  return names;
+}
+
+std::optional<BodyLineFacts> stated_line(const BodySpec& body, const std::string& name) {
+  const auto* form = std::get_if<FormSpec>(&body.shape);
+  if (form == nullptr) return std::nullopt;
+  for (const BodySection& section : form->sections) {
+    const bool possible = section.girth >= 0.05 && section.girth <= 5;  // else the body's making says what is wrong
+    if (section.name == name && possible) return BodyLineFacts{name, section.girth, section.level};
+  }
+  return std::nullopt;
 }
 
 int index_of(Session& session, BodyInstance& body) {

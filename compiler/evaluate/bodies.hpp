@@ -19,6 +19,11 @@ Value instantiate(Session& session, const BodyTemplate& body, const std::vector<
 /// for anything else.
 std::shared_ptr<BodyInstance> as_body(Session& session, const Value& value, Location at);
 
+/// The names of a dress form's lines, and what is known of one from the form's sections alone; nothing for other bodies
+/// and lines, which are measured.
+std::optional<std::vector<std::string>> line_names(const BodySpec& body);
+std::optional<BodyLineFacts> stated_line(const BodySpec& body, const std::string& name);
+
 /// The lines of a body as the world measures them; null, with an error, when it cannot be made.
 const std::vector<BodyLineFacts>* body_lines(Session& session, BodyInstance& body, Location at);
 

@@ -4,6 +4,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/expression.hpp"
@@ -244,9 +245,30 @@ void order_sections(Session& session, FormSpec& form, BodyInstance& body) {
   }
 }
 
+/// One block says each part once: a section of that name again would silently replace the one above.
+bool said_once(Session& session, const Module& module, const std::vector<syntax::BodyPart>& parts) {
+  std::map<std::string, Location> said;
+  bool once = true;
+  for (const syntax::BodyPart& part : parts) {
+    if (!part.role() || !part.name()) continue;
+    const std::string name = session.name_of(module, part.role()) + " `" + session.name_of(module, part.name()) + "`";
+    const auto [earlier, is_new] = said.try_emplace(name, module.at(*part.name()));
+    if (is_new) continue;
+    once = false;
+    session.report.add(Problem("E0102", name + " is defined twice")
+                           .at(module.at(*part.name()), "defined again here")
+                           .also(earlier->second, "first defined here"));
+  }
+  return once;
+}
+
 }  // namespace
 
 void apply_parts(Session& session, const Scope& scope, const std::vector<syntax::BodyPart>& parts, BodyInstance& body) {
+  if (!said_once(session, scope.module(), parts)) {
+    body.sound = false;
+    return;
+  }
   for (const syntax::BodyPart& part : parts) PartReader(session, scope, part, body).read();
   if (auto* form = std::get_if<FormSpec>(&body.spec.shape)) order_sections(session, *form, body);
 }

@@ -22,6 +22,15 @@ constexpr int deepest_call = 150;
 
 using Arguments = std::vector<std::optional<Given>>;
 
+/// "it is called as band(around, depth: …)": what may be left out is marked.
+std::string written_call(const std::string& callee, const std::vector<Formal>& formals) {
+  std::string name = callee;
+  std::erase(name, '`');
+  std::vector<std::string> shown;
+  for (const Formal& formal : formals) shown.push_back(formal.optional ? formal.name + ": ..." : formal.name);
+  return fmt::format("it is called as {}({})", name, fmt::join(shown, ", "));
+}
+
 /// Finds the parameter of one written argument; -1 after an error.
 class Binder {
  public:
@@ -102,7 +111,8 @@ class Binder {
                                      formals_.empty()       ? "no arguments"
                                      : formals_.size() == 1 ? "one argument"
                                                             : fmt::format("at most {} arguments", formals_.size())))
-            .at(module_.at(argument), "this is one too many"));
+            .at(module_.at(argument), "this is one too many")
+            .help(formals_.empty() ? "" : written_call(callee_, formals_)));
     return -1;
   }
 
@@ -212,7 +222,8 @@ std::optional<std::vector<std::optional<Given>>> bind_arguments(Session& session
     sound = false;
     if (module.broken(written.span())) continue;
     session.report.add(Problem("E0108", fmt::format("{} needs `{}`", callee, formals[i].name))
-                           .at(module.at(written), "not given here"));
+                           .at(module.at(written), "not given here")
+                           .help(written_call(callee, formals)));
   }
   if (!sound) return std::nullopt;
   return taken;

@@ -54,6 +54,7 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
   made.written = module().at(drape);
   made.name = planned.drape->name;
   bool sound = true;
+  if (put_the_wrong_way_round(drape)) return;
   const auto garment_expr = drape.garment();
   const bool of_development = planned.drape->developed != nullptr;
   const GarmentInstance* garment =
@@ -101,6 +102,21 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
   planned.command = made;
 }
 
+bool Commands::put_the_wrong_way_round(const syntax::Drape& drape) {
+  const auto garment = drape.garment(), body = drape.body();
+  if (!garment || !body) return false;
+  const Value first = evaluate(session_, scope(), garment), second = evaluate(session_, scope(), body);
+  const bool swapped = first.as<BodyValue>() != nullptr &&
+                       (second.as<GarmentRef>() != nullptr || second.as<GarmentTemplateRef>() != nullptr);
+  if (!swapped) return false;
+  session_.report.add(
+      Problem("E0202", "a garment is draped on a body, and here a body on a garment")
+          .at(module().at(*garment), describe(first))
+          .also(module().at(*body), describe(second))
+          .help(fmt::format("drape {} on {}", session_.text(module(), *body), session_.text(module(), *garment))));
+  return true;
+}
+
 void Commands::check_bodies(const syntax::Drape& drape, const GarmentInstance& garment, const BodyInstance* body) {
   for (std::size_t i = 0; i < garment.worn_on.size(); ++i) {
     const BodyInstance& worn_on = *garment.worn_on[i];
@@ -123,7 +139,7 @@ void Commands::check_print(const syntax::Print& print) {
 void Commands::check_expect(const syntax::Expect& expect) {
   const auto condition = expect.condition();
   const Value value = evaluate(session_, scope(), condition);
-  if (value.unknown() || value.as<Truth>() != nullptr) return;
+  if (value.unknown() || value.as<Truth>() != nullptr || module().broken(expect.span())) return;
   session_.report.add(Problem("E0202", "`expect` needs true or false, and this is " + describe(value))
                           .at(module().at(*condition), describe(value))
                           .help("compare it with something: expect a < b"));
@@ -141,6 +157,19 @@ std::optional<Command> Commands::next() {
 
 void Commands::give(const Result& result) {
   if (running_ != nullptr) running_->result = result;
+}
+
+std::set<int> Commands::garments() const {
+  std::set<int> found;
+  for (const Planned& planned : planned_) {
+    if (!planned.command) continue;
+    if (const auto* drape = std::get_if<DrapeCommand>(&*planned.command)) found.insert(drape->garment);
+    if (const auto* develop = std::get_if<DevelopCommand>(&*planned.command)) found.insert(develop->garment);
+    if (const auto* flat = std::get_if<ExportCommand>(&*planned.command); flat != nullptr && flat->garment) {
+      found.insert(*flat->garment);
+    }
+  }
+  return found;
 }
 
 std::optional<Command> Commands::print(const syntax::Print& print) {

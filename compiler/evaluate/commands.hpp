@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,8 @@ class Commands {
   /// The next command with its values, or nothing at the end or after an error.
   std::optional<Command> next();
   void give(const Result& result);
+  /// Those that the commands drape or export: indices among the garments.
+  std::set<int> garments() const;
 
  private:
   /// What checking a command has found out once and for all.
@@ -34,6 +37,8 @@ class Commands {
 
   void check_drape(Planned& planned, const syntax::Drape& drape);
   void check_bodies(const syntax::Drape& drape, const GarmentInstance& garment, const BodyInstance* body);
+  /// `drape form on skirt`: reported.
+  bool put_the_wrong_way_round(const syntax::Drape& drape);
   void check_develop(Planned& planned, const syntax::Develop& develop);
   void check_render(Planned& planned, const syntax::Render& render);
   void check_export(Planned& planned, const syntax::Export& output);

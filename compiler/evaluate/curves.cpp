@@ -111,7 +111,8 @@ std::optional<double> arc_length_at(Session& session, const Curve& curve, const 
   constexpr double slack = 1e-9;  // [m] rounding of a length that was computed from the curve's own
   if (s >= -slack && s <= whole + slack) return std::min(std::max(s, 0.0), whole);
   const std::string wanted = fraction ? format_quantity(quantity->si, {}, true) : format(where);
-  session.report.add(Problem("E0209", fmt::format("{} is beyond {}", wanted, whose))
+  session.report.add(Problem("E0209", s < 0 ? fmt::format("{} is negative: places count from the beginning", wanted)
+                                            : fmt::format("{} is beyond {}", wanted, whose))
                          .at(at)
                          .help(fraction ? "a fraction lies between 0 % and 100 %"
                                         : "it is " + format_quantity(whole, dimension::length) + " long"));

@@ -13,7 +13,10 @@ std::optional<std::string> DetailProperties::name(const syntax::Property& proper
   if (!token) return std::nullopt;
   std::string found = session_.name_of(module_, token);
   if (std::find(known_.begin(), known_.end(), found) == known_.end()) {
-    report_unknown(session_, module_, *token, fmt::format("a {} has no `{}`", owner_, found), known_, "E0103");
+    if (!property.value()) session_.report.withdraw_syntax(module_.at(property));
+    std::vector<std::string> possible = known_;
+    possible.insert(possible.end(), words_.begin(), words_.end());
+    report_unknown(session_, module_, *token, fmt::format("a {} has no `{}`", owner_, found), possible, "E0103");
     good_ = false;
     return std::nullopt;
   }

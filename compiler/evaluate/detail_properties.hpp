@@ -13,9 +13,10 @@ namespace toile {
 
 class DetailProperties {
  public:
-  /// `owner` says whose they are: "dart".
-  DetailProperties(Session& session, const Module& module, const char* owner, std::vector<std::string> known)
-      : session_(session), module_(module), owner_(owner), known_(std::move(known)) {}
+  /// `owner` says whose they are: "dart"; `words` are those that stand among them without a value.
+  DetailProperties(Session& session, const Module& module, const char* owner, std::vector<std::string> known,
+                   std::vector<std::string> words = {})
+      : session_(session), module_(module), owner_(owner), known_(std::move(known)), words_(std::move(words)) {}
 
   /// The property's name; nothing, with an error, when it is unknown or was given before.
   std::optional<std::string> name(const syntax::Property& property);
@@ -30,7 +31,7 @@ class DetailProperties {
   Session& session_;
   const Module& module_;
   const char* owner_;
-  std::vector<std::string> known_;
+  std::vector<std::string> known_, words_;
   std::map<std::string, std::optional<double>> sizes_;
   bool good_ = true;
 };

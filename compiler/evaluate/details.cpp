@@ -3,6 +3,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <map>
 #include <utility>
 
 #include "compiler/evaluate/curves.hpp"
@@ -77,7 +78,7 @@ class DetailReader {
     const Wanted wanted{session_, scope};
     const auto where_expr = position->where();
     const Value where = evaluate(session_, scope, where_expr);
-    const auto line = named_edge(session_, piece_, draft_, position->path());
+    const auto line = named_edge(session_, piece_, scope, draft_, *position);
     if (!line || where.unknown()) {
       fail();
       return std::nullopt;
@@ -108,6 +109,17 @@ class DetailReader {
     return turn_ > 0 ? fmt::format("{}{}", name, turn_) : name;
   }
 
+  /// Darts and pleats of one piece are told apart by their names.
+  void take_name(const std::string& name, Location written) {
+    const auto [earlier, is_new] = names_.try_emplace(name, written);
+    if (is_new) return;
+    session_.report.add(Problem("E0102", fmt::format("`{}` is there twice in piece `{}`", name, piece_.name))
+                            .at(written, "again here")
+                            .also(earlier->second, "first here")
+                            .help("choose another name for one of them"));
+    fail();
+  }
+
   void read_dart(const syntax::Dart& dart, const Scope& scope) {
     const Wanted wanted{session_, scope};
     DraftDart made;
@@ -124,9 +136,11 @@ class DetailReader {
     } else {
       placed = false;
     }
-    DetailProperties sizes(session_, module_, "dart",
-                           dart.inside() ? std::vector<std::string>{"width", "widest"}
-                                         : std::vector<std::string>{"width", "depth", "tip", "short"});
+    DetailProperties sizes(
+        session_, module_, "dart",
+        dart.inside() ? std::vector<std::string>{"width", "widest"}
+                      : std::vector<std::string>{"width", "depth", "tip", "short"},
+        dart.inside() ? std::vector<std::string>{"pressed"} : std::vector<std::string>{"trued", "pressed"});
     for (const syntax::Property& property : dart.properties()) {
       const auto name = sizes.name(property);
       if (!name) continue;
@@ -155,6 +169,7 @@ class DetailReader {
     made.depth = sizes.size("depth");
     made.short_of_tip = sizes.size("short");
     made.widest = sizes.has("widest") ? sizes.size("widest") : distance(made.inside.from, made.inside.to) / 2;
+    take_name(made.name, made.written);
     draft_.darts.push_back(std::move(made));
   }
 
@@ -171,6 +186,7 @@ class DetailReader {
     if (!sizes.complete({}, span, "") || !placed) return fail();
     made.depth = made.tip ? distance(curve_of(draft_, made.edge).at(made.at), *made.tip) : sizes.size("depth");
     made.width = slit_width(made.depth);
+    take_name(made.name, made.written);
     draft_.darts.push_back(std::move(made));
   }
 
@@ -256,7 +272,8 @@ class DetailReader {
       made.other_end = place(pleat.other_end(), scope);
       if (!made.other_end) return fail();
     }
-    DetailProperties sizes(session_, module_, "pleat", {"depth", "width", "stitched"});
+    DetailProperties sizes(session_, module_, "pleat", {"depth", "width", "stitched"},
+                           {"knife", "box", "inverted", "pressed"});
     for (const syntax::Property& property : pleat.properties()) {
       if (const auto name = sizes.name(property)) {
         sizes.set(*name, wanted.positive(property.value(), dimension::length, "the " + *name + " of a pleat"));
@@ -277,6 +294,7 @@ class DetailReader {
     made.depth = sizes.size("depth");
     made.width = sizes.size("width");
     made.stitched = sizes.size("stitched");
+    take_name(made.name, made.written);
     draft_.pleats.push_back(std::move(made));
   }
 
@@ -322,24 +340,25 @@ class DetailReader {
   const Module& module_;
   DraftPiece& draft_;
   bool good_ = true;
-  int turn_ = 0;  // of the `for` around what is read, from 1 on; 0 outside
+  std::map<std::string, Location> names_;  // of darts and pleats
+  int turn_ = 0;                           // of the `for` around what is read, from 1 on; 0 outside
 };
 
 }  // namespace
 
-std::optional<std::string> named_edge(Session& session, const PieceInstance& piece, const DraftPiece& draft,
-                                      const std::vector<syntax::Token>& path) {
-  if (path.empty() || !piece.plan.outline) return std::nullopt;
-  const Module& module = piece.scope->module();
-  std::string name = session.name_of(module, path[0]);
-  for (std::size_t i = 1; i < path.size(); ++i) name += "." + session.name_of(module, path[i]);
+std::optional<std::string> named_edge(Session& session, const PieceInstance& piece, const Scope& scope,
+                                      const DraftPiece& draft, const syntax::View& reference) {
+  const std::optional<std::vector<std::string>> path = path_of(session, scope, reference);
+  if (!path || path->empty() || !piece.plan.outline) return std::nullopt;
+  const std::string name = fmt::format("{}", fmt::join(*path, "."));
   if (drafted_edge(draft, name) != nullptr) return name;
   std::vector<std::string> known = piece.edge_names();
   for (const auto& hole : piece.holes) {
     for (const PlannedEdge& rim : hole->edges) known.push_back(hole->name + "." + rim.name);
   }
   if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
-  report_unknown(session, module, path[0], fmt::format("piece `{}` has no edge `{}`", piece.name, name), known,
+  const auto first = syntax::token(reference, syntax::Kind::Name);
+  report_unknown(session, scope.module(), *first, fmt::format("piece `{}` has no edge `{}`", piece.name, name), known,
                  "E0308");
   return std::nullopt;
 }

@@ -49,9 +49,11 @@ void emit_edges(std::string& out, const std::vector<PieceEdge>& edges, int first
 }
 
 void emit_marks(std::string& out, const Piece& piece) {
-  constexpr const char* lines[] = {"line", "fold", "inner fold", "placement"};
+  constexpr const char* lines[] = {"line", "crease", "fold", "inner fold", "placement"};
   for (const LineMark& mark : piece.marks) {
-    out += fmt::format("    mark {}\n", lines[static_cast<int>(mark.kind)]);
+    const bool crease = mark.kind == LineMark::Kind::Crease;
+    out += fmt::format("    mark {}{}\n", lines[static_cast<int>(mark.kind)],
+                       crease ? fmt::format(" angle {:.6f} rad", mark.angle) : "");
     for (const Segment& segment : mark.curve.segments()) out += fmt::format("      {}\n", shape(segment));
   }
   constexpr const char* points[] = {"drill", "button", "buttonhole"};

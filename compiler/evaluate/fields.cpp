@@ -4,6 +4,7 @@
 #include "compiler/evaluate/bodies.hpp"
 #include "compiler/evaluate/measurements.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/sewn_lengths.hpp"
 #include "compiler/units/unit.hpp"
 
 namespace toile {
@@ -29,23 +30,37 @@ Value defined_in(const Access& access, const Scope& scope, const std::string& ow
 }
 
 Value body_line(const Access& access, const BodyValue& object, Location object_at) {
-  const std::vector<BodyLineFacts>* lines = body_lines(access.session, *object.body, object_at);
-  if (lines == nullptr) return Unknown{};
+  std::optional<std::vector<std::string>> stated = line_names(object.body->spec);
   std::vector<std::string> names;
-  for (const BodyLineFacts& line : *lines) {
-    if (line.name == access.text) return BodyLineValue{object.body, line.name};
-    names.push_back(line.name);
+  if (stated) {
+    names = *std::move(stated);
+  } else {
+    const std::vector<BodyLineFacts>* lines = body_lines(access.session, *object.body, object_at);
+    if (lines == nullptr) return Unknown{};
+    for (const BodyLineFacts& line : *lines) names.push_back(line.name);
   }
-  return access.unknown("body `" + object.body->spec.name + "` has no line `" + access.text + "`", names);
+  if (std::ranges::find(names, access.text) != names.end()) return BodyLineValue{object.body, access.text};
+  const std::string message = "body `" + object.body->spec.name + "` has no line `" + access.text + "`";
+  for (const std::string& name : names) {  // by the name of the measurement that is taken there
+    if (!same_measurement(name, access.text)) continue;
+    access.session.report.add(
+        Problem("E0103", message).at(access.module.at(access.name)).help("did you mean `" + name + "`?"));
+    return Unknown{};
+  }
+  return access.unknown(message, names);
 }
 
 Value fact_of_line(const Access& access, const BodyLineValue& object, Location object_at) {
-  const std::vector<BodyLineFacts>* lines = body_lines(access.session, *object.body, object_at);
-  if (lines == nullptr) return Unknown{};
-  for (const BodyLineFacts& line : *lines) {
-    if (line.name != object.line) continue;
-    if (access.text == "girth") return metres(line.girth);
-    if (access.text == "level") return metres(line.level);
+  if (access.text == "girth" || access.text == "level") {
+    std::optional<BodyLineFacts> line = stated_line(object.body->spec, object.line);
+    if (!line) {
+      const std::vector<BodyLineFacts>* lines = body_lines(access.session, *object.body, object_at);
+      if (lines == nullptr) return Unknown{};
+      const auto found = std::ranges::find(*lines, object.line, &BodyLineFacts::name);
+      if (found == lines->end()) return Unknown{};
+      line = *found;
+    }
+    return metres(access.text == "girth" ? line->girth : line->level);
   }
   return access.unknown("a line of a body has no `" + access.text + "`", {"girth", "level"});
 }
@@ -138,6 +153,7 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
     return defined_in(access, *(*garment)->scope, "garment `" + (*garment)->draft.name + "`", "E0103");
   }
   if (const auto* piece = object.as<PieceRef>()) {
+    if (access.text == "sewn" && (*piece)->scope->own("sewn") == nullptr) return sewn_lengths(session, **piece);
     return defined_in(access, *(*piece)->scope, "piece `" + (*piece)->name + "`", "E0103");
   }
   if (const auto* hole = object.as<HoleRef>()) {

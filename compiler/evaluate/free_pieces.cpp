@@ -17,10 +17,12 @@ PieceInstance& drawn(Session& session, const Scope& scope, const syntax::Piece& 
   around.scope = std::make_unique<Scope>(scope.module(), &scope, false, kinds);
   around.draft.name = name;
   if (const auto parameters = written.parameters()) define_parameters(session, *around.scope, *parameters, arguments);
-  around.pieces.push_back(std::make_unique<PieceInstance>());
-  PieceInstance& piece = *around.pieces.back();
+  auto made = std::make_unique<PieceInstance>();
+  PieceInstance& piece = *made;
   piece.name = name;
+  around.add(std::move(made));
   piece.garment = &around;
+  piece.outer = around.scope.get();
   piece.written = written;
   PiecePlanner(session, around).plan_all();
   piece.scope = std::make_unique<Scope>(scope.module(), around.scope.get());
@@ -75,7 +77,7 @@ Value instantiate(Session& session, const PieceTemplate& piece, const std::vecto
 
 Value take(Session& session, PieceInstance& piece) {
   const auto written = piece.written.taken();
-  const Scope& scope = *piece.garment->scope;
+  const Scope& scope = *piece.outer;
   piece.taken = as_piece(session, evaluate(session, scope, written), scope.module().at(*written));
   piece.sound = piece.taken != nullptr;
   return piece.sound ? Value{PieceRef{piece.taken}} : Value{};

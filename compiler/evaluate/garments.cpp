@@ -2,12 +2,15 @@
 
 #include <fmt/format.h>
 
+#include <map>
+
 #include "compiler/evaluate/arranging.hpp"
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/free_pieces.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/pieces.hpp"
+#include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/sewing.hpp"
 #include "compiler/evaluate/solve.hpp"
 
@@ -32,13 +35,12 @@ class GarmentBuilder {
     garment_.scope = std::make_unique<Scope>(outer_->module(), outer_, false, kinds);
     define_names(arguments);
     for (const auto& definition : garment_.scope->definitions()) force(session_, *definition);
+    for (const auto& turn : garment_.turns) {
+      for (const auto& definition : turn->definitions()) force(session_, *definition);
+    }
     read_cloth();
     draft_pieces();
-    for (const syntax::View item : syntax::items(garment_.written)) {
-      if (const auto sew = syntax::as<syntax::Sew>(item)) read_seam(session_, garment_, *sew);
-      if (const auto wear = syntax::as<syntax::Wear>(item)) read_wear(session_, garment_, *wear);
-      if (const auto arrange = syntax::as<syntax::Arrange>(item)) read_arrangement(session_, garment_, *arrange);
-    }
+    join_pieces(garment_.written, *garment_.scope);
     if (garment_.sound) make();
     return garment_;
   }
@@ -56,31 +58,105 @@ class GarmentBuilder {
       if (const auto param = syntax::as<syntax::Param>(item)) {
         define_param(session_, scope, *param, garment_.draft.name + ".");
       }
-      if (const auto piece = syntax::as<syntax::Piece>(item)) define_piece(*piece);
+      if (const auto piece = syntax::as<syntax::Piece>(item)) define_piece(*piece, scope, "");
+    }
+    for (const syntax::View item : syntax::items(garment_.written)) {
+      if (const auto repeat = syntax::as<syntax::Repeat>(item)) define_repeated(*repeat, scope);
+    }
+    for (const auto& [name, all] : repeated_) {
+      if (all.empty()) continue;  // all their names were taken
+      define(session_, scope, all.front()->written.name(), [&session = session_, &scope, pieces = all] {
+        std::vector<Value> values;
+        for (const PieceInstance* piece : pieces) values.push_back(force(session, *scope.own(piece->name)));
+        return list_value(std::move(values));
+      });
     }
     PiecePlanner(session_, garment_).plan_all();
     for (const auto& piece : garment_.pieces) {
       if (piece->written.taken()) continue;
-      piece->scope = std::make_unique<Scope>(scope.module(), &scope);
+      piece->scope = std::make_unique<Scope>(scope.module(), piece->outer);
       define_piece_names(session_, *piece);
     }
   }
 
-  void define_piece(const syntax::Piece& written) {
+  /// Lets and pieces of a `for`, which are called panel1, panel2, …
+  void define_repeated(const syntax::Repeat& repeat, const Scope& around) {
+    const auto values = repeat.values();
+    if (!values) return;
+    const auto known = for_each_value(session_, around, *values, garment_.turns, [&](const Scope&) {
+      Scope& turn = *garment_.turns.back();
+      for (const syntax::View item : syntax::items(repeat)) {
+        if (const auto let = syntax::as<syntax::Let>(item)) define_let(session_, turn, *let);
+        const auto piece = syntax::as<syntax::Piece>(item);
+        if (piece && piece->name() && piece->parameters()) {
+          session_.report.add(
+              Problem("E0202", "a piece with parameters is drawn where it is called, not once for each value")
+                  .at(turn.module().at(*piece->name()))
+                  .help("define it outside of the `for`, and take it here: piece panel = gore(i)"));
+          garment_.sound = false;
+        } else if (piece && piece->name()) {
+          const std::string name = session_.name_of(turn.module(), piece->name());
+          define_piece(*piece, turn, fmt::format("{}", repeated_[name].size() + 1));
+        }
+        if (const auto inner = syntax::as<syntax::Repeat>(item)) define_repeated(*inner, turn);
+      }
+    });
+    if (!known) garment_.sound = false;
+  }
+
+  /// Seams, worn lines and arrangements, those of a `for` in the scope of each of its turns.
+  void join_pieces(const syntax::View& owner, const Scope& scope) {
+    for (const syntax::View item : syntax::items(owner)) {
+      if (const auto sew = syntax::as<syntax::Sew>(item)) read_seam(session_, garment_, scope, *sew);
+      if (const auto wear = syntax::as<syntax::Wear>(item)) read_wear(session_, garment_, scope, *wear);
+      if (const auto arrange = syntax::as<syntax::Arrange>(item)) {
+        read_arrangement(session_, garment_, scope, *arrange);
+      }
+      const auto repeat = syntax::as<syntax::Repeat>(item);
+      if (!repeat || !repeat->values()) continue;
+      std::vector<std::unique_ptr<Scope>> turns;
+      for_each_value(session_, scope, *repeat->values(), turns, [&](const Scope&) {
+        for (const syntax::View inner : syntax::items(*repeat)) {
+          if (const auto let = syntax::as<syntax::Let>(inner)) define_let(session_, *turns.back(), *let);
+        }
+        const Scope& turn = *turns.back();
+        join_pieces(*repeat, turn);
+      });
+    }
+  }
+
+  void define_piece(const syntax::Piece& written, const Scope& around, const std::string& number) {
     if (written.parameters()) return define_free_piece(session_, *garment_.scope, written);
     auto piece = std::make_unique<PieceInstance>();
-    piece->name = session_.name_of(outer_->module(), written.name());
+    piece->name = session_.name_of(outer_->module(), written.name()) + number;
     piece->garment = &garment_;
+    piece->outer = &around;
     piece->written = written;
     PieceInstance* reference = piece.get();
-    const Definition* made = define(session_, *garment_.scope, written.name(), [this_session = &session_, reference] {
+    const auto name = written.name();
+    const auto value = [this_session = &session_, reference] {
       return reference->written.taken() ? take(*this_session, *reference) : Value{PieceRef{reference}};
-    });
+    };
+    const Definition* made = number.empty() || !name
+                                 ? define(session_, *garment_.scope, name, value)
+                                 : garment_.scope->define(piece->name, outer_->module().at(*name), value);
+    if (made == nullptr && !number.empty()) report_taken(piece->name, *name);
+    if (!number.empty() && made != nullptr) {
+      repeated_[session_.name_of(outer_->module(), name)].push_back(reference);
+    }
     if (made == nullptr) {
       garment_.sound = false;
       return;
     }
-    garment_.pieces.push_back(std::move(piece));
+    garment_.add(std::move(piece));
+  }
+
+  /// panel2 of a `for`, where there is a panel2 already.
+  void report_taken(const std::string& name, const syntax::Token& at) {
+    session_.report.add(Problem("E0102", "`" + name + "` is defined twice")
+                            .at(outer_->module().at(at), "defined again here, by `for`")
+                            .also(garment_.scope->own(name)->at, "first defined here")
+                            .help("choose another name for one of them"));
   }
 
   void read_cloth() {
@@ -139,6 +215,7 @@ class GarmentBuilder {
   Session& session_;
   GarmentInstance& garment_;
   const Scope* outer_ = nullptr;
+  std::map<std::string, std::vector<PieceInstance*>> repeated_;  // by the name that they share
 };
 
 }  // namespace

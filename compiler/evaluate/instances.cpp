@@ -25,10 +25,13 @@ const HoleInstance* PieceInstance::hole(std::string_view hole_name) const {
 }
 
 PieceInstance* GarmentInstance::piece(std::string_view piece_name) const {
-  for (const auto& piece : pieces) {
-    if (piece->name == piece_name) return piece.get();
-  }
-  return nullptr;
+  const auto found = by_name_.find(piece_name);
+  return found == by_name_.end() ? nullptr : found->second;
+}
+
+void GarmentInstance::add(std::unique_ptr<PieceInstance> piece) {
+  by_name_.try_emplace(piece->name, piece.get());
+  pieces.push_back(std::move(piece));
 }
 
 }  // namespace toile

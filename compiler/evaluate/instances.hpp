@@ -65,6 +65,8 @@ struct BodyInstance {
 struct PlannedEdge {
   std::string name;
   syntax::Edge written;
+  std::optional<syntax::Repeat> each{};  // all the edges of a `for`; once the piece's names are defined it is put out
+  const Scope* scope = nullptr;          // of the turn of a `for`
 };
 
 /// A statement of a piece that may stand under a `for`.
@@ -102,7 +104,9 @@ struct PieceInstance {
   GarmentInstance* garment = nullptr;
   syntax::Piece written;
   PiecePlan plan;
-  std::unique_ptr<Scope> scope;  // its lets, edges and holes
+  const Scope* outer = nullptr;               // in which it is drawn, or taken
+  std::unique_ptr<Scope> scope;               // its lets, edges and holes
+  std::vector<std::unique_ptr<Scope>> turns;  // of a `for` of its edges
   std::vector<std::unique_ptr<HoleInstance>> holes;
   bool sound = true;
 
@@ -114,6 +118,7 @@ struct PieceInstance {
 struct GarmentInstance {
   syntax::Garment written;
   std::unique_ptr<Scope> scope;
+  std::vector<std::unique_ptr<Scope>> turns;  // of a `for` of its pieces
   std::vector<std::unique_ptr<PieceInstance>> pieces;
   std::vector<std::shared_ptr<BodyInstance>> worn_on;  // of each wear
   DraftGarment draft;
@@ -123,6 +128,10 @@ struct GarmentInstance {
   std::shared_ptr<BodyInstance> drawn_on;  // of pieces that are to be developed
 
   PieceInstance* piece(std::string_view piece_name) const;
+  void add(std::unique_ptr<PieceInstance> piece);
+
+ private:
+  std::map<std::string, PieceInstance*, std::less<>> by_name_;
 };
 
 /// A drape or a development.

@@ -1,4 +1,8 @@
 // Lines, drill holes, buttons and buttonholes.
+#include <cmath>
+#include <numbers>
+#include <variant>
+
 #include "compiler/evaluate/detail_properties.hpp"
 #include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
@@ -33,8 +37,22 @@ class MarkReader {
     const auto* curve = value.as<PlaneCurve>();
     if (curve == nullptr) wanted_.wrong(*expr, value, "what is marked", "a curve");
     if (curve == nullptr || curve->curve == nullptr) return false;
-    draft_.marks.push_back({LineMark::Kind::Line, *curve->curve, at});
-    return true;
+    const auto fold = mark.fold();
+    if (!fold) {
+      draft_.marks.push_back({LineMark::Kind::Line, *curve->curve, at});
+      return true;
+    }
+    const auto angle = wanted_.quantity(fold, dimension::angle, "the angle by which a piece is folded");
+    return angle && is_straight(*curve->curve, *expr) && check_fold(session_, *angle, module_.at(*fold)) &&
+           (draft_.marks.push_back({LineMark::Kind::Crease, *curve->curve, at, *angle}), true);
+  }
+
+  bool is_straight(const Curve& curve, const syntax::Expr& written) {
+    if (curve.segments().size() == 1 && std::holds_alternative<LineSegment>(curve.segments()[0])) return true;
+    session_.report.add(Problem("E0306", "a piece is folded along straight lines, and this is a curve")
+                            .at(module_.at(written))
+                            .help("mark line(from, to) folded 90deg"));
+    return false;
   }
 
   bool add(PointMark mark, const std::optional<syntax::Expr>& point) {
@@ -66,6 +84,14 @@ class MarkReader {
 };
 
 }  // namespace
+
+bool check_fold(Session& session, double angle, Location written) {
+  if (std::abs(angle) <= std::numbers::pi) return true;
+  session.report.add(Problem("E0209", "cloth is folded by 180 degrees at most")
+                         .at(written)
+                         .help("0deg is flat; a positive angle has the right side outside, a negative one inside"));
+  return false;
+}
 
 bool read_mark(Session& session, const Scope& scope, const syntax::View& written, DraftPiece& draft) {
   return MarkReader(session, scope, draft).read(written);

@@ -104,28 +104,42 @@ std::string advice_on_measurement(std::string_view name) {
   return "`hips` is the fullest girth in GarmentCode and the upper one in FreeSewing: write `hip` or `top_hip`";
 }
 
-void warn_of_implausible(Session& session, const std::string& whose, const std::vector<Measured>& measures) {
+bool check_measurements(Session& session, const std::string& whose, const std::vector<Measured>& measures) {
+  constexpr double beyond_people = 3;  // times larger or smaller than anybody: not even a doll's
+  bool possible = true;
+  std::vector<const Measured*> asked_about;
   for (const Measured& each : measures) {
     const Measurement* known = measurement(each.name);
     const Quantity* length = length_of(each);
     if (!each.given || known == nullptr || length == nullptr) continue;
     if (length->si >= known->least && length->si <= known->most) continue;
+    asked_about.push_back(&each);
+    const std::string people =
+        fmt::format("people have {} to {}", format(metres(known->least)), format(metres(known->most)));
+    if (length->si < known->least / beyond_people || length->si > known->most * beyond_people) {
+      possible = false;
+      session.report.add(Problem("E0403", fmt::format("{} cannot have `{}` {}", whose, each.name, format(*length)))
+                             .at(each.at, length->si > 0 ? "is this in another unit?" : "a measurement is positive")
+                             .help(people));
+      continue;
+    }
     session.report.add(
-        Problem("W0411", fmt::format("{} `{}` {}, and people have {} to {}", whose, each.name, format(*length),
-                                     format(metres(known->least)), format(metres(known->most))))
+        Problem("W0411", fmt::format("{} has `{}` {}, and {}", whose, each.name, format(*length), people))
             .at(each.at, "is this in another unit?"));
   }
+  const auto asked = [&](const Measured* each) { return std::ranges::find(asked_about, each) != asked_about.end(); };
   for (const auto& [lesser, greater] : orders) {
     const Measured* small = find(measures, lesser);
     const Measured* large = find(measures, greater);
     if (small == nullptr || large == nullptr || length_of(*small)->si <= length_of(*large)->si) continue;
-    if (!small->given && !large->given) continue;
+    if ((!small->given && !large->given) || asked(small) || asked(large)) continue;
     session.report.add(
-        Problem("W0410", fmt::format("{} `{}` {} and `{}` {}", whose, small->name, format(*length_of(*small)),
+        Problem("W0410", fmt::format("{} has `{}` {} and `{}` {}", whose, small->name, format(*length_of(*small)),
                                      large->name, format(*length_of(*large))))
             .at(small->given ? small->at : large->at, fmt::format("`{}` is larger than `{}`", small->name, large->name))
             .help("are two columns or two digits swapped?"));
   }
+  return possible;
 }
 
 }  // namespace toile

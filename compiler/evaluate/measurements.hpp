@@ -26,8 +26,8 @@ struct Measured {
   bool given = true;  // no default
 };
 
-/// Warns of what no figure has: a girth of 700 cm, a wrist larger than its upper arm; not of defaults alone. `whose`
-/// begins the sentence: "size `M` has".
-void warn_of_implausible(Session& session, const std::string& whose, const std::vector<Measured>& measures);
+/// Warns of what no figure has: a girth of 300 cm, a wrist larger than its upper arm; not of defaults alone. What no
+/// doll has either is an error, and false. `whose` begins the sentence: "size `M`".
+bool check_measurements(Session& session, const std::string& whose, const std::vector<Measured>& measures);
 
 }  // namespace toile

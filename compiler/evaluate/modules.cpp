@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "compiler/diag/nearest.hpp"
+#include "compiler/evaluate/allowances.hpp"
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/syntax_errors.hpp"
@@ -99,6 +100,7 @@ Module& add_module(Session& session, const std::string& name, std::string text, 
   module.file = session.sources.add(Source(from_stdlib ? "<" + name + ">" : name, std::move(text)));
   module.parsed = syntax::parse(session.sources[module.file]);
   module.scope = std::make_unique<Scope>(module, nullptr);
+  read_allowances(session, module);
   report_syntax_errors(session, module);
   define_module(session, module);
   module.loading = false;

@@ -177,7 +177,7 @@ void PiecePlanner::apply(PieceInstance& piece) {
       plan.allowance = allowance;
     } else if (const auto label = syntax::as<syntax::Label>(item)) {
       plan.label = label;
-    } else {
+    } else if (item.kind() != syntax::Kind::Allow) {
       own.take(item, std::nullopt);
     }
   }
@@ -198,6 +198,10 @@ void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& out
   plan.outline = outline;
   plan.edges.clear();
   for (const syntax::View item : syntax::items(outline)) {
+    if (const auto repeat = syntax::as<syntax::Repeat>(item); repeat && repeat->values()) {
+      plan.edges.push_back({"", {}, *repeat});
+      continue;
+    }
     const auto edge = syntax::as<syntax::Edge>(item);
     if (!edge || !edge->name()) continue;
     const std::string name = session_.name_of(module, edge->name());

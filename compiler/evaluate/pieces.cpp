@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <numbers>
 
 #include "compiler/evaluate/charts.hpp"
@@ -12,6 +13,7 @@
 #include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/solve.hpp"
 #include "compiler/evaluate/walk.hpp"
 #include "compiler/evaluate/want.hpp"
@@ -50,16 +52,62 @@ Value edge_curve(Session& session, const Walk& loop, std::size_t i) {
     pen = curve != nullptr && curve->curve ? std::optional(curve->curve->end()) : std::nullopt;
   }
   if (!pen || !start) return Unknown{};
-  auto curve = walk(session, *loop.scope, (*loop.edges)[i].written, *pen, *start);
+  const PlannedEdge& edge = (*loop.edges)[i];
+  auto curve = walk(session, edge.scope != nullptr ? *edge.scope : *loop.scope, edge.written, *pen, *start);
   return curve ? curve_value(std::move(*curve)) : Value{};
+}
+
+/// Puts the edges of each `for` out, one behind the other: side1, side2, … And `side` is the list of all of them.
+bool put_out(Session& session, PieceInstance& piece) {
+  std::vector<PlannedEdge> edges;
+  std::map<std::string, std::vector<std::string>> repeated;
+  std::map<std::string, syntax::Token> names;
+  bool good = true;
+  for (const PlannedEdge& planned : piece.plan.edges) {
+    if (!planned.each) {
+      edges.push_back(planned);
+      continue;
+    }
+    const auto known = for_each_value(session, *piece.scope, *planned.each->values(), piece.turns, [&](const Scope&) {
+      const Scope& turn = *piece.turns.back();
+      for (const syntax::View item : syntax::items(*planned.each)) {
+        const auto edge = syntax::as<syntax::Edge>(item);
+        if (!edge || !edge->name()) continue;
+        const std::string name = session.name_of(turn.module(), edge->name());
+        std::vector<std::string>& all = repeated[name];
+        names.emplace(name, *edge->name());
+        all.push_back(fmt::format("{}{}", name, all.size() + 1));
+        edges.push_back({all.back(), *edge, std::nullopt, &turn});
+      }
+    });
+    good = good && known.has_value();
+  }
+  piece.plan.edges = std::move(edges);
+  for (const auto& [name, all] : repeated) {
+    Definition* made = define(session, *piece.scope, names.at(name), [&session, &piece, each = all] {
+      std::vector<Value> curves;
+      for (const std::string& edge : each) curves.push_back(force(session, *piece.scope->own(edge)));
+      return list_value(std::move(curves));
+    });
+    if (made != nullptr) made->yields = true;
+    good = good && made != nullptr;
+  }
+  return good;
 }
 
 /// False when a name is taken.
 bool define_edges(Session& session, Scope& scope, const Walk& loop) {
   bool good = true;
   for (std::size_t i = 0; i < loop.edges->size(); ++i) {
-    Definition* made = define(session, scope, (*loop.edges)[i].written.name(),
-                              [&session, loop, i] { return edge_curve(session, loop, i); });
+    const PlannedEdge& edge = (*loop.edges)[i];
+    const auto curve = [&session, loop, i] { return edge_curve(session, loop, i); };
+    Definition* made = edge.scope == nullptr ? define(session, scope, edge.written.name(), curve)
+                                             : scope.define(edge.name, scope.module().at(*edge.written.name()), curve);
+    if (made == nullptr && edge.scope != nullptr) {
+      session.report.add(Problem("E0102", fmt::format("edge `{}` is drawn twice", edge.name))
+                             .at(scope.module().at(*edge.written.name()), "drawn again here, by `for`")
+                             .also(scope.own(edge.name)->at, "first drawn here"));
+    }
     if (made != nullptr) made->yields = true;
     good = good && made != nullptr;
   }
@@ -180,10 +228,21 @@ class PieceDrafter {
                             .help(fmt::format("cut {} mirrored", *count + 1)));
   }
 
+  /// `grain sideways`: reported.
+  bool is_unknown_word(const syntax::Expr& expr) {
+    const std::string word(session_.text(module_, expr));
+    if (expr.kind() != syntax::Kind::NameRef || piece_.scope->find(word) != nullptr) return false;
+    session_.report.add(Problem("E0101", fmt::format("there is no direction `{}`", word))
+                            .at(module_.at(expr))
+                            .help("a grain runs `down`, `up`, `left`, `right`, on the `bias`, or at an angle"));
+    return true;
+  }
+
   void read_grain() {
     if (!piece_.plan.grain) return;
     const auto word = piece_.plan.grain->direction();
     if (const auto angle_expr = piece_.plan.grain->angle()) {
+      if (is_unknown_word(*angle_expr)) return fail();
       const auto angle = wanted_.quantity(angle_expr, dimension::angle, "the direction of the grain");
       if (angle) draft_.warp = direction(*angle);
       if (!angle) fail();
@@ -241,7 +300,7 @@ class PieceDrafter {
     if (width) draft_.allowances.push_back({"", *width, module_.at(allowance), corner_of(allowance.corner())});
     if (!width) fail();
     for (const syntax::EdgeAllowance& exception : allowance.exceptions()) {
-      const auto line = named_edge(session_, piece_, draft_, exception.path());
+      const auto line = named_edge(session_, piece_, *piece_.scope, draft_, exception);
       const auto own = wanted_.not_negative(exception.width(), dimension::length, what);
       if (!own || !line) fail();
       if (line && own) {
@@ -271,6 +330,7 @@ void define_piece_names(Session& session, PieceInstance& piece) {
            [&session, &piece, expr = let.value()] { return evaluate(session, *piece.scope, expr); });
   }
   for (const syntax::Solve& solve : piece.plan.solves) define_solve(session, *piece.scope, solve);
+  if (!put_out(session, piece)) piece.sound = false;
   const auto& outline = piece.plan.outline;
   const Walk loop{piece.scope.get(), &piece.plan.edges, outline ? outline->origin() : std::nullopt,
                   "the place where an outline begins"};

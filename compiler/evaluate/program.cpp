@@ -1,6 +1,7 @@
 #include "compiler/evaluate/program.hpp"
 
 #include <algorithm>
+#include <set>
 
 #include "compiler/evaluate/bodies.hpp"
 #include "compiler/evaluate/commands.hpp"
@@ -38,19 +39,31 @@ class LoadedProgram final : public Program {
   const std::vector<Garment>& garments() const override { return session_.garments; }
   const std::vector<DraftGarment>& drafts() const override { return session_.drafts; }
   const std::vector<BodySpec>& bodies() const override { return session_.bodies; }
+  std::vector<int> own_garments() const override {
+    std::set<int> own = commands_.garments();
+    for (const auto& definition : session_.modules.front()->scope->definitions()) {
+      const auto* garment = definition->value.as<GarmentRef>();
+      if (garment != nullptr && (*garment)->index >= 0) own.insert((*garment)->index);
+    }
+    return {own.begin(), own.end()};
+  }
+  bool allows(const Diagnostic& warning) const override { return session_.report.allows(warning); }
+  void check_bodies() override {
+    for (const auto& definition : session_.modules.front()->scope->definitions()) {
+      const auto* body = definition->value.as<BodyValue>();
+      if (body != nullptr) body_lines(session_, *body->body, definition->at);
+    }
+  }
   std::vector<std::string> sizes() const override { return common_sizes(session_); }
   std::optional<Command> next() override { return commands_.next(); }
   void give(const Result& result) override { commands_.give(result); }
 
  private:
-  /// The script's own bodies come first, in the order of the text, whether or not they are used; they are measured, so
-  /// that one that cannot be made is told of at once.
+  /// The script's own bodies come first, in the order of the text, whether or not they are used.
   void enter_bodies(const Module& script) {
     for (const auto& definition : script.scope->definitions()) {
       const auto* body = definition->value.as<BodyValue>();
-      if (body == nullptr) continue;
-      index_of(session_, *body->body);
-      body_lines(session_, *body->body, definition->at);
+      if (body != nullptr) index_of(session_, *body->body);
     }
   }
 

@@ -100,6 +100,12 @@ class Program {
   /// What they were made of, one for one.
   virtual const std::vector<DraftGarment>& drafts() const = 0;
   virtual const std::vector<BodySpec>& bodies() const = 0;
+  /// The garments that the script names or drapes itself, and not only takes pieces from: indices into garments().
+  virtual std::vector<int> own_garments() const = 0;
+  /// Whether the script allows a warning at its place.
+  virtual bool allows(const Diagnostic& warning) const = 0;
+  /// Makes the script's bodies; one that cannot be made is then among the diagnostics.
+  virtual void check_bodies() = 0;
   /// The names of the sizes that can be chosen: those that each size table has.
   virtual std::vector<std::string> sizes() const = 0;
 

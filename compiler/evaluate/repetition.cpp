@@ -48,13 +48,24 @@ std::optional<std::vector<Value>> values_of(Session& session, const Scope& scope
 
 std::optional<bool> for_each_value(Session& session, const Scope& scope, const syntax::For& written,
                                    const std::function<void(const Scope&)>& body) {
+  std::vector<std::unique_ptr<Scope>> passing;
+  return for_each_value(session, scope, written, passing, [&](const Scope& inner) {
+    body(inner);
+    passing.clear();
+  });
+}
+
+std::optional<bool> for_each_value(Session& session, const Scope& scope, const syntax::For& written,
+                                   std::vector<std::unique_ptr<Scope>>& kept,
+                                   const std::function<void(const Scope&)>& body) {
   const Module& module = scope.module();
   const std::optional<std::vector<Value>> values = values_of(session, scope, written);
   const auto variable = written.name();
   if (!values || !variable) return std::nullopt;
   bool known = true;
   for (const Value& each : *values) {
-    Scope inner(scope.module(), &scope, true, signature(each));
+    kept.push_back(std::make_unique<Scope>(scope.module(), &scope, true, signature(each)));
+    Scope& inner = *kept.back();
     inner.define_value(session.name_of(module, variable), module.at(*variable), each);
     mark_try(session, *inner.definitions().back());
     if (const auto condition = written.condition()) {
@@ -68,6 +79,21 @@ std::optional<bool> for_each_value(Session& session, const Scope& scope, const s
     if (session.exhausted) return std::nullopt;
   }
   return known;
+}
+
+std::optional<std::vector<std::string>> path_of(Session& session, const Scope& scope, const syntax::View& reference) {
+  std::vector<std::string> names;
+  const Module& module = scope.module();
+  for (const syntax::View part : syntax::children(reference)) {
+    if (part.kind() == syntax::Kind::Name) names.emplace_back(session.text(module, part));
+    const auto which = syntax::as<syntax::Which>(part);
+    if (!which) continue;
+    const auto expr = which->number();
+    const Value number = evaluate(session, scope, expr);
+    if (names.empty() || !whole_number(session, module, number, *expr)) return std::nullopt;
+    if (number.known()) names.back() += fmt::format("{:.0f}", number.as<Quantity>()->si);
+  }
+  return names;
 }
 
 std::optional<Value> truth_of(Session& session, const Module& module, const Value& condition,

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "compiler/evaluate/session.hpp"
 
@@ -14,6 +16,15 @@ namespace toile {
 /// mistake, which is reported.
 std::optional<bool> for_each_value(Session& session, const Scope& scope, const syntax::For& written,
                                    const std::function<void(const Scope&)>& body);
+
+/// The same with scopes that are to outlive the call: they are put at the end of `kept`.
+std::optional<bool> for_each_value(Session& session, const Scope& scope, const syntax::For& written,
+                                   std::vector<std::unique_ptr<Scope>>& kept,
+                                   const std::function<void(const Scope&)>& body);
+
+/// The names behind each other in `front.side` or `panel[2].edge[i]`, what a `for` has made with its number: "panel2",
+/// "edge3". Nothing after a mistake, which is reported.
+std::optional<std::vector<std::string>> path_of(Session& session, const Scope& scope, const syntax::View& reference);
 
 /// A truth as it stands, or an error.
 std::optional<Value> truth_of(Session& session, const Module& module, const Value& condition,

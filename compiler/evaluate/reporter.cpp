@@ -27,6 +27,15 @@ bool Reporter::full() const {
   return all_.size() >= most_diagnostics;
 }
 
+bool Reporter::allows(const Diagnostic& diagnostic) const {
+  const Location at = place(diagnostic);
+  return std::ranges::any_of(allowed_, [&](const auto& each) {
+    const auto& [code, stretch] = each;
+    return code == diagnostic.code && stretch.file == at.file && stretch.span.begin <= at.span.begin &&
+           at.span.end <= stretch.span.end;
+  });
+}
+
 void Reporter::release(std::size_t first) {
   if (aside_ == nullptr) return;
   std::vector<Diagnostic> released(aside_->begin() + static_cast<std::ptrdiff_t>(first), aside_->end());
@@ -36,11 +45,21 @@ void Reporter::release(std::size_t first) {
   set_aside(place);
 }
 
+void Reporter::withdraw_syntax(Location stretch) {
+  const auto withdrawn = [&](const Diagnostic& each) {
+    const Location at = place(each);
+    return each.code == "E0001" && at.file == stretch.file && at.span.begin >= stretch.span.begin &&
+           at.span.begin <= stretch.span.end;
+  };
+  errors_ -= static_cast<int>(std::erase_if(all_, withdrawn));
+}
+
 void Reporter::add(Diagnostic diagnostic) {
   if (aside_ != nullptr) {
     aside_->push_back(std::move(diagnostic));
     return;
   }
+  if (diagnostic.severity == Severity::Warning && allows(diagnostic)) return;
   const Location where = place(diagnostic);
   const bool is_new = seen_.emplace(diagnostic.code, where.file, where.span.begin, where.span.end).second;
   if (!is_new || full()) return;

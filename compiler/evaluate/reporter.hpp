@@ -43,6 +43,13 @@ class Reporter {
   /// The same code at the same place is reported once: bodies of functions are evaluated at every call.
   void add(Diagnostic diagnostic);
 
+  /// Warnings of this code within this stretch of text are meant to be.
+  void allow(std::string code, Location stretch) { allowed_.emplace_back(std::move(code), stretch); }
+  bool allows(const Diagnostic& diagnostic) const;
+
+  /// Takes back what the parser said about this stretch of text, where more is known about it.
+  void withdraw_syntax(Location stretch);
+
   /// While `place` is not null mistakes are put there instead: what goes wrong with a value that is only tried is no
   /// mistake of the script. Gives the place before.
   std::vector<Diagnostic>* set_aside(std::vector<Diagnostic>* place) { return std::exchange(aside_, place); }
@@ -64,6 +71,7 @@ class Reporter {
  private:
   std::vector<Diagnostic> all_;
   std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t>> seen_;
+  std::vector<std::pair<std::string, Location>> allowed_;
   std::vector<Location> calls_;
   std::vector<Diagnostic>* aside_ = nullptr;
   int errors_ = 0;

@@ -6,8 +6,10 @@
 #include <map>
 
 #include "compiler/evaluate/curves.hpp"
+#include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
+#include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/want.hpp"
 #include "compiler/units/format.hpp"
 
@@ -16,8 +18,8 @@ namespace {
 
 class SewingReader {
  public:
-  SewingReader(Session& session, GarmentInstance& garment)
-      : session_(session), garment_(garment), module_(garment.scope->module()), wanted_{session, *garment.scope} {}
+  SewingReader(Session& session, GarmentInstance& garment, const Scope& scope)
+      : session_(session), garment_(garment), scope_(scope), module_(scope.module()), wanted_{session, scope} {}
 
   void read(const syntax::Sew& sew) {
     DraftSeam seam;
@@ -65,10 +67,11 @@ class SewingReader {
 
   std::optional<DraftEdgeRef> read_edge(const syntax::EdgeRef& reference) {
     const std::vector<syntax::Token> path = reference.path();
-    if (path.size() < 2) return std::nullopt;
+    const std::optional<std::vector<std::string>> called = path_of(session_, scope_, reference);
+    if (path.size() < 2 || !called || called->size() != path.size()) return std::nullopt;
     DraftEdgeRef made;
     made.written = module_.at(reference);
-    made.piece = session_.name_of(module_, path[0]);
+    made.piece = called->at(0);
     const PieceInstance* piece = garment_.piece(made.piece);
     if (piece == nullptr) {
       std::vector<std::string> names;
@@ -78,7 +81,7 @@ class SewingReader {
       return std::nullopt;
     }
     if (piece->written.taken() && piece->taken == nullptr) return std::nullopt;  // told where it is taken
-    made.edge = session_.name_of(module_, path[1]);
+    made.edge = called->at(1);
     if (const HoleInstance* hole = piece->hole(made.edge)) {
       if (!read_rim(path, *hole, made)) return std::nullopt;
       return read_side(path, 3, made) ? std::optional(made) : std::nullopt;
@@ -138,7 +141,7 @@ class SewingReader {
   }
 
   std::optional<double> place_on(const Curve& curve, const std::optional<syntax::Expr>& expr, const std::string& name) {
-    const Value where = evaluate(session_, *garment_.scope, expr);
+    const Value where = evaluate(session_, scope_, expr);
     if (where.unknown()) return std::nullopt;
     const auto* quantity = where.as<Quantity>();
     const bool measured =
@@ -153,7 +156,7 @@ class SewingReader {
 
   /// A place on a seam, whose length is not known yet.
   std::optional<DraftSeamPlace> seam_place(const std::optional<syntax::Expr>& expr) {
-    const Value where = evaluate(session_, *garment_.scope, expr);
+    const Value where = evaluate(session_, scope_, expr);
     if (where.unknown()) return std::nullopt;
     const auto* quantity = where.as<Quantity>();
     if (quantity == nullptr || !(quantity->dimension.plain() || quantity->dimension == dimension::length)) {
@@ -221,6 +224,11 @@ class SewingReader {
       case syntax::Kind::KwStep:
         seam.step = wanted_.count(option.amount(), "the step of a seam");
         return seam.step.has_value();
+      case syntax::Kind::KwFolded: {
+        const auto angle = wanted_.quantity(option.amount(), dimension::angle, "the angle of a folded seam");
+        if (angle) seam.angle = *angle;
+        return angle && check_fold(session_, *angle, module_.at(*option.amount()));
+      }
       case syntax::Kind::KwNotch:
         return read_notches(option, seam);
       default:
@@ -257,7 +265,7 @@ class SewingReader {
   /// The body's line after `at`.
   std::shared_ptr<BodyInstance> read_line(const syntax::Wear& wear, std::string& line) {
     const auto expr = wear.line();
-    const Value value = evaluate(session_, *garment_.scope, expr);
+    const Value value = evaluate(session_, scope_, expr);
     if (value.unknown()) return nullptr;
     if (const auto* body = value.as<BodyValue>(); body != nullptr && garment_.drawn_on == body->body) {
       line.clear();  // held where it is drawn
@@ -294,18 +302,19 @@ class SewingReader {
 
   Session& session_;
   GarmentInstance& garment_;
+  const Scope& scope_;
   const Module& module_;
   Wanted wanted_;
 };
 
 }  // namespace
 
-void read_seam(Session& session, GarmentInstance& garment, const syntax::Sew& sew) {
-  SewingReader(session, garment).read(sew);
+void read_seam(Session& session, GarmentInstance& garment, const Scope& scope, const syntax::Sew& sew) {
+  SewingReader(session, garment, scope).read(sew);
 }
 
-void read_wear(Session& session, GarmentInstance& garment, const syntax::Wear& wear) {
-  SewingReader(session, garment).read(wear);
+void read_wear(Session& session, GarmentInstance& garment, const Scope& scope, const syntax::Wear& wear) {
+  SewingReader(session, garment, scope).read(wear);
 }
 
 }  // namespace toile

@@ -6,7 +6,7 @@
 namespace toile {
 
 /// Add to the garment's draft; `garment.sound` is false after a mistake.
-void read_seam(Session& session, GarmentInstance& garment, const syntax::Sew& sew);
-void read_wear(Session& session, GarmentInstance& garment, const syntax::Wear& wear);
+void read_seam(Session& session, GarmentInstance& garment, const Scope& scope, const syntax::Sew& sew);
+void read_wear(Session& session, GarmentInstance& garment, const Scope& scope, const syntax::Wear& wear);
 
 }  // namespace toile

@@ -134,7 +134,7 @@ class SizesReader {
       const syntax::View& at = i < values.size() ? syntax::View(values[i]) : syntax::View(row);
       measured.push_back({read.fields[i].name, read.fields[i].value, module_.at(at)});
     }
-    warn_of_implausible(session_, fmt::format("size `{}` has", read.name), measured);
+    sound_ = check_measurements(session_, fmt::format("size `{}`", read.name), measured) && sound_;
     rows_.push_back(std::move(read));
   }
 

@@ -53,7 +53,9 @@ class Solver {
 
   /// Another unknown: the first one brings them all.
   Value follow(std::size_t i) {
-    if (session_.supposing > 0) return forget(evaluate(session_, scope_, sought_[i].written.range()->low()));
+    const auto range = sought_[i].written.range();
+    if (sought_[0].definition == nullptr || !range) return Unknown{};  // its name was taken, or its range was not read
+    if (session_.supposing > 0) return forget(evaluate(session_, scope_, range->low()));
     force(session_, *sought_[0].definition);
     return i < found_.size() ? Trial(session_, scope_, written_, sought_).value(i, found_[i]) : Value{};
   }

@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include "compiler/curve/places.hpp"
 #include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/region.hpp"
 
@@ -36,9 +37,24 @@ bool check_marks(const DraftPiece& draft, const DrawnPiece& drawn, Findings& fin
   };
   for (const PointMark& mark : drawn.piece.spots) check(mark.at, mark.written);
   for (const LineMark& mark : drawn.piece.marks) {
-    if (mark.kind == LineMark::Kind::Line) check(mark.curve.at(mark.curve.length() / 2), mark.written);
+    if (mark.kind == LineMark::Kind::Line || mark.kind == LineMark::Kind::Crease)
+      check(mark.curve.at(mark.curve.length() / 2), mark.written);
   }
   return findings.errors() == before;
+}
+
+// Where a crease meets an edge that edge is divided, so that the mesh folds right up to it.
+void divide_at_creases(const DraftPiece& draft, DrawnPiece& drawn) {
+  constexpr double kTouches = 1e-6;  // [m]
+  for (const LineMark& mark : draft.marks) {
+    if (mark.kind != LineMark::Kind::Crease) continue;
+    for (const Vec2 end : {mark.curve.start(), mark.curve.end()}) {
+      for (const DraftEdge& edge : draft.outline) {
+        const double s = nearest_place(edge.curve, end);
+        if (distance(edge.curve.at(s), end) < kTouches) divide_at(drawn, edge.name, s);
+      }
+    }
+  }
 }
 
 }  // namespace
@@ -54,6 +70,7 @@ std::vector<Piece> cut_piece(const DraftPiece& draft, const PieceUse& use, Findi
   const bool marks = cut_darts(draft, drawn, findings) && pivot_darts(draft, drawn, findings) &&
                      finish_darts(draft, drawn, findings) && cut_pleats(draft, use, drawn, findings);
   for (const DraftPlace& place : use.divisions) divide_at(drawn, place.edge, place.at);
+  divide_at_creases(draft, drawn);
   const bool notches = set_notches(draft, drawn, findings);
   if (!inside || !holes || !allowances || !fold || !marks || !notches) return {};
   if (draft.fold) {

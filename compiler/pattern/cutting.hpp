@@ -70,8 +70,6 @@ std::optional<EdgePlace> find_leg(const DrawnPiece& drawn, const std::string& na
 void divide_edge(DrawnPiece& drawn, const EdgePlace& place);
 /// The same at a place of the drawn edge; nothing happens where it is divided already, ends or was cut away.
 void divide_at(DrawnPiece& drawn, const std::string& edge, double at);
-/// All loops as closed curves.
-std::vector<Curve> loops_of(const DrawnPiece& drawn);
 /// Whether a point lies in the cloth: inside the outline and in no hole.
 bool in_cloth(const DrawnPiece& drawn, Vec2 point);
 

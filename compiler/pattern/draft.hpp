@@ -147,6 +147,7 @@ struct DraftSeam {
   bool open = false;
   bool is_layer = false;      // one of the layers of another seam, which sews its first chain
   std::optional<int> step{};  // in the order of sewing
+  double angle = 0;           // [rad] at rest, as of a crease
 };
 
 struct DraftWear {

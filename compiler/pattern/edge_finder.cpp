@@ -8,26 +8,6 @@
 namespace toile {
 namespace {
 
-// All parts of one copy of an edge in the order of the outline, which is that of the index; of a part of the edge those
-// within it. What a pleat folds under the sewn line passes by.
-std::optional<Chain> parts_of(const std::vector<Piece>& pieces, const std::string& piece, const std::string& edge,
-                              const std::optional<DrawnSpan>& part, Side side) {
-  Chain chain;
-  for (std::size_t p = 0; p < pieces.size(); ++p) {
-    if (pieces[p].drawn_name != piece) continue;
-    for (int e = 0; e < pieces[p].edge_count(); ++e) {
-      const PieceEdge& candidate = pieces[p].edge(e);
-      if (candidate.is_dart_leg || candidate.folded_under) continue;
-      if (candidate.name != edge || candidate.side != side) continue;
-      constexpr double slack = 1e-5;  // [m]
-      if (part && (candidate.drawn.from < part->from - slack || candidate.drawn.to > part->to + slack)) continue;
-      chain.push_back({{static_cast<int>(p), e}, true});
-    }
-  }
-  if (chain.empty()) return std::nullopt;
-  return chain;
-}
-
 const DraftHole* hole_with(const DraftPiece& piece, const std::string& edge) {
   for (const DraftHole& hole : piece.holes) {
     for (const DraftEdge& rim : hole.edges) {
@@ -74,10 +54,35 @@ const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name) 
   return nullptr;
 }
 
+EdgeFinder::EdgeFinder(const DraftGarment& draft, const std::vector<Piece>& pieces) : draft_(draft), pieces_(pieces) {
+  for (const DraftPiece& piece : draft.pieces) drafted_.try_emplace(piece.name, &piece);
+  for (std::size_t i = 0; i < pieces.size(); ++i) cut_from_[pieces[i].drawn_name].push_back(static_cast<PieceId>(i));
+}
+
+// In the order of the outline, which is that of the index. What a pleat folds under the sewn line passes by.
+std::optional<Chain> EdgeFinder::parts_of(const DraftEdgeRef& reference, Side side) const {
+  Chain chain;
+  const auto pieces = cut_from_.find(reference.piece);
+  if (pieces == cut_from_.end()) return std::nullopt;
+  for (const PieceId p : pieces->second) {
+    for (int e = 0; e < pieces_[p].edge_count(); ++e) {
+      const PieceEdge& candidate = pieces_[p].edge(e);
+      if (candidate.is_dart_leg || candidate.folded_under) continue;
+      if (candidate.name != reference.edge || candidate.side != side) continue;
+      constexpr double slack = 1e-5;  // [m]
+      const std::optional<DrawnSpan>& part = reference.part;
+      if (part && (candidate.drawn.from < part->from - slack || candidate.drawn.to > part->to + slack)) continue;
+      chain.push_back({{p, e}, true});
+    }
+  }
+  if (chain.empty()) return std::nullopt;
+  return chain;
+}
+
 std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const char* deed, Findings& findings) const {
-  const auto piece = std::find_if(draft_.pieces.begin(), draft_.pieces.end(),
-                                  [&](const DraftPiece& p) { return p.name == reference.piece; });
-  if (piece == draft_.pieces.end()) {
+  const auto known = drafted_.find(reference.piece);
+  const DraftPiece* const piece = known == drafted_.end() ? nullptr : known->second;
+  if (piece == nullptr) {
     std::vector<std::string> names;
     for (const DraftPiece& p : draft_.pieces) names.push_back(p.name);
     findings.error("E0309",
@@ -104,7 +109,7 @@ std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const c
     return std::nullopt;
   }
   for (const Side side : {Side::Drawn, Side::Mirrored}) {
-    found.copies[static_cast<std::size_t>(side)] = parts_of(pieces_, piece->name, reference.edge, reference.part, side);
+    found.copies[static_cast<std::size_t>(side)] = parts_of(reference, side);
   }
   return found;
 }

@@ -23,6 +23,11 @@ void Findings::error(std::string code, std::string message, std::vector<Label> l
   ++errors_;
 }
 
+void Findings::warning(std::string code, std::string message, std::vector<Label> labels, std::string help) {
+  if (!labels.empty()) labels.front().primary = true;
+  diagnostics_.push_back({Severity::Warning, std::move(code), std::move(message), std::move(labels), std::move(help)});
+}
+
 std::string in_cm(double metres) {
   const double size = std::abs(metres);
   if (size > 0 && size < 0.5e-3) return fmt::format("{:.1g} mm", 1e3 * metres);

@@ -15,6 +15,7 @@ class Findings {
 
   /// The first label is the primary one.
   void error(std::string code, std::string message, std::vector<Label> labels, std::string help = "");
+  void warning(std::string code, std::string message, std::vector<Label> labels, std::string help = "");
   int errors() const { return errors_; }
 
  private:

@@ -87,8 +87,8 @@ std::pair<double, const PieceEdge*> reach_over(const Piece& piece, const std::st
   std::pair<double, const PieceEdge*> worst{0, nullptr};
   for (const PieceEdge& edge : piece.edges) {
     if (edge.name == fold) continue;
-    for (const double s : edge.curve.divide(1e-5, 0.01)) {
-      const double over = -cross(axis, edge.curve.at(s) - point);
+    for (const Vec2 place : edge.curve.polygon(1e-5)) {
+      const double over = -cross(axis, place - point);
       if (over > worst.first) worst = {over, &edge};
     }
   }
@@ -112,8 +112,8 @@ bool check_fold(const DraftPiece& draft, const DrawnPiece& drawn, Findings& find
   const Vec2 from = fold.curve.start(), to = fold.curve.end();
   const double chord = distance(from, to), length = fold.curve.length();
   double stray = length - chord;
-  for (const double s : fold.curve.divide(1e-6, 0.05)) {
-    stray = std::max(stray, std::abs(cross(to - from, fold.curve.at(s) - from)) / std::max(chord, kStraight));
+  for (const Vec2 place : fold.curve.polygon(1e-6)) {
+    stray = std::max(stray, std::abs(cross(to - from, place - from)) / std::max(chord, kStraight));
   }
   if (stray > kStraight) {
     findings.error(

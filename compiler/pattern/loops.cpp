@@ -72,16 +72,10 @@ void divide_at(DrawnPiece& drawn, const std::string& edge, double at) {
   if (place->s > kSamePlace && place->s < length - kSamePlace) divide_edge(drawn, *place);
 }
 
-std::vector<Curve> loops_of(const DrawnPiece& drawn) {
-  std::vector<Curve> loops;
-  for (int l = 0; l < drawn.loop_count(); ++l) loops.push_back(whole_outline(drawn.loop(l)));
-  return loops;
-}
-
 bool in_cloth(const DrawnPiece& drawn, Vec2 point) {
-  const std::vector<Curve> loops = loops_of(drawn);
-  if (!Region(loops[0]).contains(point)) return false;
-  return std::none_of(loops.begin() + 1, loops.end(), [&](const Curve& hole) { return Region(hole).contains(point); });
+  if (!Region(drawn.piece.edges).contains(point)) return false;
+  const auto& holes = drawn.piece.holes;
+  return std::none_of(holes.begin(), holes.end(), [&](const auto& hole) { return Region(hole).contains(point); });
 }
 
 }  // namespace toile

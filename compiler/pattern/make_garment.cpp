@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <optional>
+#include <string>
+#include <unordered_map>
 #include <utility>
 
 #include "compiler/pattern/arrangements.hpp"
@@ -62,11 +64,11 @@ DraftGarment prepared(const DraftGarment& draft, Findings& findings) {
   return made;
 }
 
-PieceUse use_of(const DraftPiece& piece, const DraftGarment& draft) {
-  PieceUse use;
+std::unordered_map<std::string, PieceUse> uses_of(const DraftGarment& draft) {
+  std::unordered_map<std::string, PieceUse> uses;
   const auto add = [&](const std::vector<DraftEdgeRef>& references) {
     for (const DraftEdgeRef& reference : references) {
-      if (reference.piece != piece.name) continue;
+      PieceUse& use = uses[reference.piece];
       use.joined.insert(reference.edge);
       if (!reference.part) continue;
       use.divisions.push_back({reference.edge, reference.part->from});
@@ -78,13 +80,14 @@ PieceUse use_of(const DraftPiece& piece, const DraftGarment& draft) {
     add(seam.second);
   }
   for (const DraftWear& wear : draft.wears) add(wear.chain);
-  return use;
+  return uses;
 }
 
 Garment made_of(const DraftGarment& draft, Findings& findings) {
   Garment garment{draft.name, {}, {}, {}, {}, draft.fabric, draft.textile, draft.drawn_on, draft.written};
+  std::unordered_map<std::string, PieceUse> uses = uses_of(draft);
   for (const DraftPiece& piece : draft.pieces) {
-    for (Piece& cut : cut_piece(piece, use_of(piece, draft), findings)) garment.pieces.push_back(std::move(cut));
+    for (Piece& cut : cut_piece(piece, uses[piece.name], findings)) garment.pieces.push_back(std::move(cut));
   }
   if (draft.pieces.empty()) {
     findings.error("E0325", fmt::format("garment {} has no pieces", quoted(draft.name)), {{draft.written, ""}},
@@ -106,6 +109,7 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   check_worn_once(garment.wears, garment.pieces, findings);
   check_lengths(draft, seams, garment.pieces, findings);
   if (complete) check_ties(draft, garment, findings);
+  if (complete) check_gaps(garment, findings);
   add_tied_notches(garment.seams, garment.pieces);
   return garment;
 }

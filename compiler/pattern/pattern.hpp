@@ -81,12 +81,15 @@ struct Pleat {
   Location written;
 };
 
-/// A line inside a piece: drawn by the script, or of a pleat. Where a pleat is folded the line's cloth lies uppermost,
-/// is turned back below, or is what the fold comes to lie on.
+/// A line inside a piece: drawn by the script, to be seen or to be folded, or of a pleat. Where a pleat is folded the
+/// line's cloth lies uppermost, is turned back below, or is what the fold comes to lie on.
 struct LineMark {
-  enum class Kind { Line, Fold, InnerFold, Placement } kind = Kind::Line;
+  enum class Kind { Line, Crease, Fold, InnerFold, Placement } kind = Kind::Line;
   Curve curve;
   Location written;
+  double angle = 0;  // [rad] of a crease, between the normals of its two sides: positive with the right side outside
+
+  bool folded() const { return kind == Kind::Crease || kind == Kind::Fold || kind == Kind::InnerFold; }
 };
 
 /// A single place inside a piece.
@@ -163,6 +166,7 @@ struct Seam {
   /// stretch that takes all the fullness. Between them, and to the ends, nodes lie at equal fractions.
   std::vector<std::array<double, 2>> ties{};
   std::vector<std::array<double, 2>> notches{};  // those of them that are marked
+  double angle = 0;  // [rad] at rest between the two sides' normals, as of a crease: an edge of a box
 };
 
 /// Edges worn at a line of the body.

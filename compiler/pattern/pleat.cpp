@@ -66,6 +66,23 @@ class PleatCutter {
     return false;
   }
 
+  // Says which stretch of the edge it takes, and whether that is beyond an end or in the way of something.
+  bool no_room(const std::string& edge, const Turn& turn) {
+    const double d = turn.sign * pleat_.depth;
+    const double from = std::min(turn.fold - d, turn.fold + 2 * d), to = std::max(turn.fold - d, turn.fold + 2 * d);
+    const DraftEdge* drafted = drafted_edge(draft_, edge);
+    const double whole = drafted == nullptr ? to : drafted->curve.length();
+    const bool beyond = from < -kMeets || to > whole + kMeets;
+    return fail(
+        fmt::format("has no room on edge {}: it takes {} to {} of it, {}", quoted(edge), in_cm(from), in_cm(to),
+                    beyond ? fmt::format("and that is {} long", in_cm(whole))
+                           : std::string("where a dart or another pleat stands")),
+        fmt::format(
+            "its fold is at {}: it turns the cloth from there to {} under, which comes to lie below that up to {}; "
+            "move it, or make it less deep",
+            in_cm(turn.fold), in_cm(turn.fold + 2 * d), in_cm(turn.fold - d)));
+  }
+
   Vec2 drawn_tangent(const EdgePlace& place) const {
     const Vec2 t = drawn_.loop(place.loop)[place.edge].curve.tangent(place.s);
     return drawn_.as_drawn[place.loop] ? t : -t;
@@ -124,9 +141,7 @@ class PleatCutter {
         return !part || drawn_.loop(part->loop)[part->edge].folded_under;
       };
       if (taken(face) || taken(under) || taken(back)) {
-        return fail(fmt::format("has no room on edge {}", quoted(edge)),
-                    "it takes twice its depth of cloth behind its fold and lies on one depth before it: move it away "
-                    "from other pleats, darts and the edge's ends, or make it less deep");
+        return no_room(edge, turn);
       }
       for (const auto& part : {under, back}) drawn_.loop(part->loop)[part->edge].folded_under = true;
       drawn_.turns.push_back({pleat_.name, edge, turn.fold, turn.fold + d, pleat_.written});

@@ -8,7 +8,6 @@ namespace toile {
 namespace {
 
 constexpr double kChordError = 1e-5;  // [m]
-constexpr double kLongest = 0.1;      // [m]
 
 // The area swept from the origin: half the integral of cross(p, dp).
 double swept(const LineSegment& l) {
@@ -50,8 +49,15 @@ Curve whole_outline(const std::vector<PieceEdge>& edges) {
 }
 
 Region::Region(const Curve& closed) {
-  const std::vector<double> cuts = closed.divide(kChordError, kLongest);
-  for (std::size_t i = 0; i + 1 < cuts.size(); ++i) polygon_.push_back(closed.at(cuts[i]));
+  polygon_ = closed.polygon(kChordError);
+  polygon_.pop_back();  // the first again
+}
+
+Region::Region(const std::vector<PieceEdge>& loop) {
+  for (const PieceEdge& edge : loop) {
+    const std::vector<Vec2> points = edge.curve.polygon(kChordError);
+    polygon_.insert(polygon_.end(), points.begin(), points.end() - 1);
+  }
 }
 
 bool Region::contains(Vec2 point) const {

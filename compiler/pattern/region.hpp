@@ -18,6 +18,7 @@ class Region {
  public:
   /// Follows the closed curve within a hundredth of a millimetre.
   explicit Region(const Curve& closed);
+  explicit Region(const std::vector<PieceEdge>& loop);
   bool contains(Vec2 point) const;
 
  private:

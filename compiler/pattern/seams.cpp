@@ -149,6 +149,7 @@ class Pairing {
     made.closure = draft_.closure;
     made.open = draft_.open;
     made.step = draft_.step;
+    made.angle = draft_.angle;
     return made;
   }
 

@@ -4,6 +4,8 @@
 #include <array>
 #include <optional>
 #include <string>
+#include <string_view>
+#include <unordered_map>
 #include <vector>
 
 #include "compiler/pattern/draft.hpp"
@@ -65,15 +67,20 @@ struct FoundEdge {
 /// Finds edges by name among the drafted pieces and the pieces cut from them.
 class EdgeFinder {
  public:
-  EdgeFinder(const DraftGarment& draft, const std::vector<Piece>& pieces) : draft_(draft), pieces_(pieces) {}
+  EdgeFinder(const DraftGarment& draft, const std::vector<Piece>& pieces);
   /// Reports what cannot be found, each reference for itself; nullopt if any.
   std::optional<std::vector<FoundEdge>> find(const std::vector<DraftEdgeRef>& references, const char* deed,
                                              Findings& findings) const;
 
  private:
   std::optional<FoundEdge> find(const DraftEdgeRef& reference, const char* deed, Findings& findings) const;
+  /// All parts of one copy of an edge; of a part of the edge those within it.
+  std::optional<Chain> parts_of(const DraftEdgeRef& reference, Side side) const;
+
   const DraftGarment& draft_;
   const std::vector<Piece>& pieces_;
+  std::unordered_map<std::string_view, const DraftPiece*> drafted_;      // by name
+  std::unordered_map<std::string_view, std::vector<PieceId>> cut_from_;  // by the name they are drawn by
 };
 
 /// Both copies of an edge, in the order in which one runs on into the other when walked with the cloth on the left, or
@@ -106,7 +113,10 @@ void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& p
 void check_lengths(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                    const std::vector<Piece>& pieces, Findings& findings);
 
-/// Of a garment that is worn no seam sews the right side of the cloth to the wrong one.
+/// Warns of a seam along whose line a piece is left for another place of the same piece.
+void check_gaps(const Garment& garment, Findings& findings);
+
+/// Of a garment that is worn no seam sews the right side of the cloth to the wrong one; of others that is asked about.
 void check_sides(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                  const std::vector<Piece>& pieces, Findings& findings);
 /// A seam of two pieces that explains why lines which should run on from one to the other do not.

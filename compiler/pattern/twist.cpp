@@ -49,7 +49,6 @@ Vec2 chord_of(const std::vector<Piece>& pieces, const Chain& chain) {
 
 void check_sides(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                  const std::vector<Piece>& pieces, Findings& findings) {
-  if (draft.wears.empty()) return;  // a Möbius strip by itself is nobody's mistake
   Sides sides(pieces.size());
   for (const bool reversed : {false, true}) {  // those said to be reversed are the ones in question
     for (std::size_t i = 0; i < seams.size(); ++i) {
@@ -57,10 +56,14 @@ void check_sides(const DraftGarment& draft, const std::vector<std::vector<Seam>>
       for (const Seam& seam : seams[i]) {
         if (seam.is_layer || seam.first.empty() || seam.second.empty()) continue;
         if (sides.join(seam.first.front().edge.piece, seam.second.front().edge.piece, keeps_sides(seam))) continue;
-        findings.error("E0335",
-                       fmt::format("the seam {} is twisted: it sews the right side of the cloth to the wrong side",
-                                   quoted(seam.name)),
-                       {{seam.written, "sewn start to start"}}, "leave out `reversed`");
+        const std::string message = fmt::format(
+            "the seam {} is twisted: it sews the right side of the cloth to the wrong side", quoted(seam.name));
+        if (draft.wears.empty()) {  // a Möbius strip by itself is nobody's mistake
+          findings.warning("W0337", message, {{seam.written, "sewn start to start"}},
+                           "leave out `reversed`, or write `allow W0337` where a one-sided surface is meant");
+        } else {
+          findings.error("E0335", message, {{seam.written, "sewn start to start"}}, "leave out `reversed`");
+        }
         break;
       }
     }

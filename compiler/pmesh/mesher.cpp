@@ -84,16 +84,16 @@ double GarmentMesher::room_beside(const LineMark& crease, const Piece& piece) {
   const Vec2 middle = crease.curve.at(crease.curve.length() / 2);
   double nearest = 1e300;
   for (const LineMark& mark : piece.marks) {
-    if (&mark == &crease || (mark.kind != LineMark::Kind::Fold && mark.kind != LineMark::Kind::InnerFold)) continue;
+    if (&mark == &crease || !mark.folded()) continue;
     nearest = std::min(nearest, distance(middle, mark.curve.at(mark.curve.length() / 2)));
   }
   return nearest;
 }
 
-/// Nodes along the creases of pleats, so that edges lie on them.
+/// Nodes along creases, so that edges lie on them.
 void GarmentMesher::pin_creases(PieceId id, PlaneDomain& domain) const {
   for (const LineMark& mark : garment_.pieces[id].marks) {
-    if (mark.kind != LineMark::Kind::Fold && mark.kind != LineMark::Kind::InnerFold) continue;
+    if (!mark.folded()) continue;
     const double length = mark.curve.length();
     const double spacing =
         std::max(kCreaseSpacing * std::min(options_.target_edge, room_beside(mark, garment_.pieces[id])),

@@ -89,6 +89,7 @@ void mark_seams(const Garment& garment, const PMesh& mesh, SMesh& s) {
           SMesh::Edge* edge = edge_between(s, s.s_of_p[run.first[i]], s.s_of_p[run.first[i + 1]]);
           if (edge == nullptr || edge->seam >= 0) continue;
           edge->seam = seam;
+          if (edge->wings.size() == 2) edge->crease = garment.seams[seam].angle;
           if (edge->wings.size() > 2) pair_wings(mesh, side_of(run.first, i), side_of(run.second, i), *edge);
         }
       }
@@ -114,11 +115,13 @@ std::vector<Crease> creases_of(const Piece& piece) {
   constexpr double kPressed = 170 * std::numbers::pi / 180;
   std::vector<Crease> creases;
   for (const LineMark& mark : piece.marks) {
-    const bool ridge = mark.kind == LineMark::Kind::Fold, valley = mark.kind == LineMark::Kind::InnerFold;
-    if (!ridge && !valley) continue;
+    if (!mark.folded()) continue;
+    const double angle = mark.kind == LineMark::Kind::Crease ? mark.angle
+                         : mark.kind == LineMark::Kind::Fold ? kPressed
+                                                             : -kPressed;
     const Vec2 from = mark.curve.start(), to = mark.curve.end();
     const double length = distance(from, to);
-    if (length > 0) creases.push_back({from, (to - from) / length, length, ridge ? kPressed : -kPressed});
+    if (length > 0) creases.push_back({from, (to - from) / length, length, angle});
   }
   return creases;
 }

@@ -141,6 +141,7 @@ int stops_before(View statement, View part, int n) {
 
 bool has_blank_between(View parent, View left, View right, const Source& source) {
   if (right.kind() == Kind::Comma || right.kind() == Kind::Colon || right.kind() == Kind::Parameters) return false;
+  if (right.kind() == Kind::Which) return false;
   if (left.kind() == Kind::Dot || right.kind() == Kind::Dot) return false;
   if (left.kind() == Kind::DotDot || right.kind() == Kind::DotDot || right.kind() == Kind::Ellipsis) return false;
   if (parent.kind() == Kind::Unary) return left.kind() != Kind::Minus;

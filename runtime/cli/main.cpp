@@ -30,6 +30,7 @@ WorkroomOptions workroom_options(const Arguments& arguments) {
   options.solver = arguments.solver;
   options.threads = arguments.threads;
   options.warm = arguments.warm;
+  options.patterns_only = arguments.task == Task::Compile || arguments.task == Task::Draft;
   if (!arguments.fabric.empty()) options.fabric = arguments.fabric;
   return options;
 }

@@ -98,7 +98,9 @@ std::optional<DevelopCommand> choose_development(Workroom& workroom, const std::
 
 std::optional<int> choose_garment(Workroom& workroom, const std::string& name) {
   const std::vector<std::string> names = names_of(workroom.program().garments());
+  const std::vector<int> own = workroom.program().own_garments();
   if (name.empty() && names.size() == 1) return 0;
+  if (name.empty() && own.size() == 1) return own.front();
   return choose(workroom, names, name, "garment");
 }
 

@@ -40,8 +40,7 @@ std::optional<std::string> emit_stage(Workroom& workroom, Stage stage, const std
 }
 
 void check_meshes(Workroom& workroom) {
-  const int garments = static_cast<int>(workroom.program().garments().size());
-  for (int garment = 0; garment < garments; ++garment) {
+  for (const int garment : workroom.program().own_garments()) {
     const std::shared_ptr<const MadeGarment> made = workroom.make(garment);
     if (!made) return;
     if (const auto body = workroom.body_called(made->garment.drawn_on, made->garment.written)) {

@@ -35,6 +35,7 @@ bool Workroom::load(const std::string& name, std::string text, const std::filesy
     const Stopwatch watch(profile_.compile_s);
     program_ = toile::load(name, text_, options_.settings, *world_, options_.size);
   }
+  if (!options_.patterns_only) program_->check_bodies();
   pass_on_diagnostics();
   if (world_->missed_a_file()) outcome_.file_failed = true;
   return program_->ok() && !interrupted();
@@ -74,6 +75,7 @@ void Workroom::write_below(const std::string& path, const std::string& bytes, Lo
 }
 
 void Workroom::diagnose(const Diagnostic& diagnostic) {
+  if (diagnostic.severity == Severity::Warning && program_->allows(diagnostic)) return;
   if (diagnostic.severity == Severity::Error) outcome_.script_failed = true;
   listener_->diagnosed(diagnostic, program_->sources());
 }

@@ -31,8 +31,9 @@ struct WorkroomOptions {
   std::optional<double> accuracy;     // overrides the script's
   std::optional<std::string> fabric;  // a Toile expression that replaces the garment's cloth
   DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
-  int threads = 0;    // 0: as many as there are
-  bool warm = false;  // drapes start from the last one of their garment, and are kept for the next
+  int threads = 0;             // 0: as many as there are
+  bool warm = false;           // drapes start from the last one of their garment, and are kept for the next
+  bool patterns_only = false;  // nothing is put on: bodies need not be made where their measurements are known
 };
 
 class Workroom {

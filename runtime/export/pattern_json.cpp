@@ -74,8 +74,9 @@ const char* pressed(const Piece& piece, const Dart& dart) {
 Json line_marks(const Piece& piece) {
   Json list = Json::array();
   for (const LineMark& mark : piece.marks) {
-    constexpr const char* kinds[] = {"line", "fold", "inner_fold", "placement"};
+    constexpr const char* kinds[] = {"line", "crease", "fold", "inner_fold", "placement"};
     list.push_back({{"kind", kinds[static_cast<int>(mark.kind)]}, {"segments", json(mark.curve)}});
+    if (mark.kind == LineMark::Kind::Crease) list.back()["angle_rad"] = tidy(mark.angle);
   }
   return list;
 }
@@ -174,17 +175,19 @@ Json ties(const Seam& seam) {
 }
 
 Json json(const Garment& garment, const Seam& seam) {
-  return {{"name", seam.name},
-          {"dart", seam.is_dart},
-          {"fullness", word(seam.fullness)},
-          {"stated_m", tidy(seam.stated)},
-          {"pleat", seam.is_pleat},
-          {"layer", seam.is_layer},
-          {"closure", closure(seam.closure)},
-          {"open", seam.open},
-          {"ties_m", ties(seam)},
-          {"first", json(garment, seam.first)},
-          {"second", json(garment, seam.second)}};
+  Json made{{"name", seam.name},
+            {"dart", seam.is_dart},
+            {"fullness", word(seam.fullness)},
+            {"stated_m", tidy(seam.stated)},
+            {"pleat", seam.is_pleat},
+            {"layer", seam.is_layer},
+            {"closure", closure(seam.closure)},
+            {"open", seam.open},
+            {"ties_m", ties(seam)},
+            {"first", json(garment, seam.first)},
+            {"second", json(garment, seam.second)}};
+  if (seam.angle != 0) made["angle_rad"] = tidy(seam.angle);
+  return made;
 }
 
 }  // namespace

@@ -38,6 +38,7 @@ std::string dart(const Piece& piece, const Dart& dart) {
 
 const char* css_class(LineMark::Kind kind) {
   switch (kind) {
+    case LineMark::Kind::Crease:
     case LineMark::Kind::Fold:
       return "crease";
     case LineMark::Kind::InnerFold:

@@ -23,6 +23,7 @@ using std::numbers::pi;
 constexpr double kMargin = 0.02, kGap = 0.025;  // [m] around the sheet, between pieces
 constexpr double kTitle = 0.011, kNote = 0.0055,
                  kLine = 0.0085;                        // [m] letters and line spacing of the sheet's own text
+constexpr double kFullSize = 0.07;                      // [m] what is written at shorter edges is smaller, down to half
 constexpr double kEdgeText = 0.0062, kInside = 0.0085;  // [m] letters along edges, and how far inside they run
 constexpr double kMarkText = 0.0055;                    // [m] letters at the fold and the grain
 constexpr double kBadge = 0.005;                        // [m] radius of a seam's letter
@@ -100,11 +101,11 @@ Roles roles_of(const Garment& garment) {
   return roles;
 }
 
-std::string badge(Vec2 at, const Letter& sign) {
-  const double radius = sign.text.size() > 1 ? 1.3 * kBadge : kBadge;
+std::string badge(Vec2 at, const Letter& sign, double scale = 1) {
+  const double radius = scale * (sign.text.size() > 1 ? 1.3 * kBadge : kBadge);
   return fmt::format("<circle cx=\"{}\" cy=\"{}\" r=\"{}\" fill=\"{}\"/>\n", svg::mm(at.x), svg::mm(-at.y),
                      svg::mm(radius), sign.ink) +
-         svg::text("badge", at, 1.25 * kBadge, sign.text);
+         svg::text("badge", at, scale * 1.25 * kBadge, sign.text);
 }
 
 // Text along a line is never upside down.
@@ -184,7 +185,7 @@ class Sheet {
     return svg::text("soft", at, kMarkText, "fold", angle);
   }
 
-  // A divided edge is labelled once, on its longest part.
+  // A divided edge is labelled once, on its longest part; parts that are sewn elsewhere have their own letters.
   std::string edges() const {
     std::map<std::pair<std::string, Side>, std::pair<int, double>> labelled;  // longest part, whole length
     for (int i = 0; i < piece_.edge_count(); ++i) {
@@ -198,35 +199,49 @@ class Sheet {
     }
     std::string drawing;
     for (const auto& [name, where] : labelled) drawing += edge_label(where.first, where.second);
+    for (int i = 0; i < piece_.edge_count(); ++i) {
+      const PieceEdge& edge = piece_.edge(i);
+      const auto sewn = roles_.sewn.find({index_, i});
+      const auto label = labelled.find({edge.name, edge.side});
+      if (sewn == roles_.sewn.end() || label == labelled.end() || label->second.first == i) continue;
+      const auto main = roles_.sewn.find({index_, label->second.first});
+      if (main != roles_.sewn.end() && main->second.text == sewn->second.text) continue;
+      const double middle = edge.curve.length() / 2, scale = scale_of(edge);
+      const Vec2 inwards = perpendicular(edge.curve.tangent(middle));
+      drawing += badge(edge.curve.at(middle) + scale * kInside * inwards, sewn->second, scale);
+    }
     return drawing;
   }
+
+  static double scale_of(const PieceEdge& edge) { return std::clamp(edge.curve.length() / kFullSize, 0.5, 1.0); }
 
   std::string edge_label(int i, double whole) const {
     const PieceEdge& edge = piece_.edge(i);
     const std::pair<int, int> key{index_, i};
     const auto sewn = roles_.sewn.find(key);
     const auto worn = roles_.worn.find(key);
-    const double room = 0.9 * edge.curve.length(), sign_room = sewn != roles_.sewn.end() ? 4 * kBadge : 0;
+    const double scale = scale_of(edge), text = scale * kEdgeText;
+    const double room = 0.9 * edge.curve.length(), sign_room = sewn != roles_.sewn.end() ? scale * 4 * kBadge : 0;
 
     const std::string length = " · " + centimetres(whole);
     const std::string line = worn != roles_.worn.end() ? " · worn at " + worn->second : "";
     std::string words;  // as much as there is room for
     for (const std::string& wording :
          {fmt::format("{}{}{}", edge.name, length, line), edge.name + line, edge.name + length, edge.name}) {
-      if (svg::text_width(wording, kEdgeText) + sign_room > room) continue;
+      if (svg::text_width(wording, text) + sign_room > room) continue;
       words = wording;
       break;
     }
 
     const double middle = edge.curve.length() / 2;
     const Vec2 tangent = edge.curve.tangent(middle);
-    const Vec2 at = edge.curve.at(middle) + kInside * perpendicular(tangent);
+    const Vec2 at = edge.curve.at(middle) + scale * kInside * perpendicular(tangent);
     const double angle = upright(tangent);
-    const double width = words.empty() ? 0 : svg::text_width(words, kEdgeText);
+    const double width = words.empty() ? 0 : svg::text_width(words, text);
     std::string drawing;
-    if (!words.empty()) drawing += svg::text("soft", at + sign_room / 2 * direction(angle), kEdgeText, words, angle);
+    if (!words.empty()) drawing += svg::text("soft", at + sign_room / 2 * direction(angle), text, words, angle);
     if (sewn != roles_.sewn.end()) {
-      drawing += badge(at - (words.empty() ? 0 : width / 2 + sign_room / 4) * direction(angle), sewn->second);
+      drawing += badge(at - (words.empty() ? 0 : width / 2 + sign_room / 4) * direction(angle), sewn->second, scale);
     }
     return drawing;
   }

@@ -87,6 +87,8 @@ class Writer {
     for (std::size_t i = 0; i < pattern_.panels.size(); ++i) write_piece(i);
     if (!pattern_.stitches.empty()) put("\n");
     for (const ForeignStitch& stitch : pattern_.stitches) write_seam(stitch);
+    const bool turned = std::ranges::any_of(pattern_.stitches, &ForeignStitch::to_wrong_side);
+    if (turned) put("// The source sews a right side to a wrong one.\nallow W0337\n");
     if (is_arranged) write_wear();
     put("\n");
     for (std::size_t i = 0; i < pattern_.panels.size(); ++i) write_arrangement(i);

@@ -91,8 +91,8 @@ TEST(Errors, SayWhatWasExpected) {
   EXPECT_THAT(expected("garment g { sew 3 }"), ElementsAre("an edge of a piece"));
   EXPECT_THAT(expected("garment g { piece p { outline from p { a = loop } } }"),
               ElementsAre("`along`", "`arc`", "`bezier`", "`circle`", "`curve`", "`line`"));
-  EXPECT_THAT(expected("garment g { seam }"),
-              ElementsAre("`arrange`", "`fn`", "`let`", "`param`", "`piece`", "`sew`", "`solve`", "`wear`"));
+  EXPECT_THAT(expected("garment g { seam }"), ElementsAre("`allow`", "`arrange`", "`fn`", "`for`", "`let`", "`param`",
+                                                          "`piece`", "`sew`", "`solve`", "`wear`"));
 }
 
 TEST(Errors, AStatementThatBreaksOffIsWrongAtItsEnd) {

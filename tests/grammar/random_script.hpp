@@ -188,8 +188,10 @@ class RandomScript : private RandomExpression {
   void chain_of_edges() {
     for (int n = 1 + below(6);; --n) {
       name();
+      if (below(4) == 0) put("[i + 1]");
       put(".");
       name();
+      if (below(4) == 0) put("[2]");
       if (below(4) == 0) put(" in 0cm..18cm");
       if (n == 1) return;
       put(" +");
@@ -197,7 +199,12 @@ class RandomScript : private RandomExpression {
     }
   }
   void garment_item() {
-    switch (below(4)) {
+    switch (below(6)) {
+      case 4:
+        put("for i in 1..4 if i > 2 ");
+        return block(0, [this] { garment_item(); });
+      case 5:
+        return put(below(2) == 0 ? "allow W0337" : "allow W0337, W0338");
       case 0:
         word("sew");
         chain_of_edges();
@@ -208,6 +215,7 @@ class RandomScript : private RandomExpression {
         if (below(4) == 0) put(" notch at 1cm, 50%");
         if (below(4) == 0) put(" gather 2cm in 1cm..9cm");
         if (below(4) == 0) put(" zipped open step 3");
+        if (below(4) == 0) put(" folded -90deg");
         return put(below(2) == 0 ? " reversed" : " ease 3mm");
       case 1:
         word("wear");

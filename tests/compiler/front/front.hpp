@@ -59,6 +59,7 @@ struct Script {
                   std::map<std::string, std::string> files = {}) {
     world.files = std::move(files);
     program = load("test.toile", text, settings, world);
+    program->check_bodies();
   }
 
   /// "E0201 3:11 message" for each diagnostic.

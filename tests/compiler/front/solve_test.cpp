@@ -141,5 +141,10 @@ TEST(Solve, AVariationMayReplaceWhatItsModelSolved) {
   EXPECT_EQ(value_of("g.a.w, g.b.w, g.c.w", pieces), "4 cm 2 cm 2 cm");
 }
 
+TEST(Solve, SurvivesAFirstUnknownWhoseNameIsTaken) {
+  const Script script("let a = 1cm\nsolve a in 1cm..2cm, b in 1cm..2cm so a = 1cm, b = 1cm\nprint b\n");
+  EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0102 2:7")));
+}
+
 }  // namespace
 }  // namespace toile::test

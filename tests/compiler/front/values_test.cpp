@@ -48,7 +48,7 @@ TEST(Texts, MistakesInThemAreToldAtTheirPlaces) {
   const Script script("let w = 3cm\nprint \"{wd} {w in deg}\"\nprint \"{w in ells}\"\nprint \"{w\"\n");
   EXPECT_THAT(script.told(),
               ElementsAre(StartsWith("E0101 2:9"), AllOf(StartsWith("E0201 2:14"), HasSubstr("a length")),
-                          AllOf(StartsWith("E0001 3:14"), HasSubstr("a unit")), StartsWith("E0001 4:10")));
+                          AllOf(StartsWith("E0204 3:14"), HasSubstr("`ells` is no unit")), StartsWith("E0001 4:10")));
 }
 
 TEST(Texts, ResultsOfADrapeAreShownOnceTheyAreThere) {

@@ -117,7 +117,9 @@ inline std::vector<std::string> codes(const Made& made) {
 /// For tests that need a sound garment: what was reported, or nothing.
 inline std::string complaints(const Made& made) {
   std::string text;
-  for (const Diagnostic& diagnostic : made.diagnostics) text += diagnostic.code + " " + diagnostic.message + "\n";
+  for (const Diagnostic& diagnostic : made.diagnostics) {
+    if (diagnostic.severity == Severity::Error) text += diagnostic.code + " " + diagnostic.message + "\n";
+  }
   return text;
 }
 

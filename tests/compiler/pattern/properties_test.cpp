@@ -8,55 +8,13 @@
 #include <utility>
 
 #include "compiler/pattern/region.hpp"
+#include "tests/compiler/pattern/any_piece.hpp"
 #include "tests/compiler/pattern/drafting.hpp"
 
 namespace toile {
 namespace {
 
 using namespace toile::test;
-
-// One of 0 … count - 1, whatever size the run has come to.
-int pick(int count) {
-  return *rc::gen::resize(rc::kNominalSize, rc::gen::inRange(0, count));
-}
-
-double anywhere(double from, double to) {
-  return from + (to - from) * pick(1001) / 1000.0;
-}
-
-// Mostly sound: corners of a polygon around a centre, edges that bulge a little, marks about where they fit.
-DraftPiece any_piece(const std::string& name) {
-  const int corners = 3 + pick(4);
-  std::vector<Vec2> points;
-  for (int i = 0; i < corners; ++i) {
-    const double angle = 6.2831853 * (i + anywhere(-0.45, 0.45)) / corners;
-    points.push_back(anywhere(0.1, 0.5) * direction(angle));
-  }
-  DraftPiece piece;
-  piece.name = name;
-  for (int i = 0; i < corners; ++i) {
-    const Vec2 from = points[i], to = points[(i + 1) % corners];
-    const double bulge = anywhere(-1, 1);
-    const Curve curve = std::abs(bulge) < 0.5 ? line(from, to) : arc_of_radius(from, to, distance(from, to) / bulge);
-    piece.outline.push_back(edge("e" + std::to_string(i), curve));
-  }
-  if (pick(2) == 0) {
-    std::reverse(piece.outline.begin(), piece.outline.end());
-    for (DraftEdge& e : piece.outline) e.curve = e.curve.reversed();
-  }
-  const int marks = pick(4);
-  for (int i = 0; i < marks; ++i) {
-    const DraftEdge& host = piece.outline[pick(corners)];
-    const double length = host.curve.length();
-    piece.darts.push_back(dart("d" + std::to_string(i), host.name, anywhere(-0.1, 1.1) * length,
-                               anywhere(0, 0.4) * length, anywhere(0, 0.4)));
-    piece.notches.push_back({host.name, anywhere(-0.1, 1.1) * length, next_place()});
-  }
-  const int kind = pick(4);
-  if (kind == 0) return paired(piece);
-  if (kind == 1) return folded(piece, "e" + std::to_string(pick(corners)));
-  return piece;
-}
 
 // A sound piece with the edges bottom, right, top and left, in one copy or two.
 DraftPiece any_quadrilateral(const std::string& name) {
@@ -128,6 +86,29 @@ TEST(PatternProperties, CutPiecesAreSimpleAndTheirDartsClose) {
     }
   }));
   EXPECT_GT(cut, 20);  // the generator must not only make mistakes
+}
+
+TEST(PatternProperties, AreasAndLengthsAreThoseOfThePieceTurnedAndMoved) {
+  int compared = 0;
+  EXPECT_TRUE(rc::check([&] {
+    const DraftPiece still = any_piece("a");
+    const double angle = anywhere(-3, 3);
+    const Vec2 shift{anywhere(-2, 2), anywhere(-2, 2)};
+    DraftPiece turned = still;
+    for (DraftEdge& each : turned.outline) each.curve = each.curve.rotated(angle, {0, 0}).moved(shift);
+    const Made one = make(garment({still})), other = make(garment({turned}));
+    RC_ASSERT(codes(one) == codes(other));
+    for (std::size_t i = 0; i < one.garment.pieces.size(); ++i) {
+      const Piece &a = one.garment.pieces[i], &b = other.garment.pieces[i];
+      RC_ASSERT(std::abs(signed_area(whole_outline(a.edges)) - signed_area(whole_outline(b.edges))) < 1e-10);
+      RC_ASSERT(a.edges.size() == b.edges.size());
+      for (std::size_t k = 0; k < a.edges.size(); ++k) {
+        RC_ASSERT(std::abs(a.edges[k].curve.length() - b.edges[k].curve.length()) < 1e-9);
+      }
+      ++compared;
+    }
+  }));
+  EXPECT_GT(compared, 20);
 }
 
 TEST(PatternProperties, AnEdgeSewnTwiceIsAlwaysReportedAndNoOther) {

@@ -4,7 +4,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
+#include "compiler/pattern/region.hpp"
 #include "runtime/export/export.hpp"
+#include "tests/compiler/pattern/any_piece.hpp"
 #include "tests/compiler/pattern/drafting.hpp"
 
 namespace toile {
@@ -47,6 +49,52 @@ TEST(PatternJson, KeepsCurvesExactAndAreasWithoutHoles) {
   EXPECT_EQ(arc["radius_m"], 0.2);
   EXPECT_NEAR(arc["sweep_rad"], 2 * pi, 1e-9);
   EXPECT_NEAR(piece["holes"][0][0]["segments"][0]["sweep_rad"], -2 * pi, 1e-9);
+}
+
+Vec2 point_of(const Json& json) {
+  return {json[0], json[1]};
+}
+
+Curve curve_of(const Json& segments) {
+  std::vector<Segment> read;
+  for (const Json& json : segments) {
+    if (json["kind"] == "line") {
+      read.emplace_back(LineSegment{point_of(json["from_m"]), point_of(json["to_m"])});
+    } else if (json["kind"] == "arc") {
+      read.emplace_back(ArcSegment{point_of(json["centre_m"]), json["radius_m"], json["start_rad"], json["sweep_rad"]});
+    } else {
+      const Json& points = json["points_m"];
+      read.emplace_back(
+          BezierSegment{point_of(points[0]), point_of(points[1]), point_of(points[2]), point_of(points[3])});
+    }
+  }
+  return Curve(read);
+}
+
+TEST(PatternJson, ReadsBackAsTheSamePiecesWhateverTheyAre) {
+  int compared = 0;
+  EXPECT_TRUE(rc::check([&] {
+    const Garment made = make(garment({any_piece("a")})).garment;
+    const Json json = Json::parse(pattern_json(made));
+    RC_ASSERT(json["pieces"].size() == made.pieces.size());
+    for (std::size_t i = 0; i < made.pieces.size(); ++i) {
+      const Piece& piece = made.pieces[i];
+      const Json& read = json["pieces"][i];
+      RC_ASSERT(read["name"] == piece.name);
+      RC_ASSERT(read["edges"].size() == piece.edges.size());
+      std::vector<Curve> curves;
+      for (std::size_t k = 0; k < piece.edges.size(); ++k) {
+        const Json& edge = read["edges"][k];
+        curves.push_back(curve_of(edge["segments"]));
+        RC_ASSERT(edge["name"] == piece.edges[k].name);
+        RC_ASSERT(std::abs(curves.back().length() - piece.edges[k].curve.length()) < 1e-9);
+        RC_ASSERT(distance(curves.back().end(), piece.edges[k].curve.end()) < 1e-9);
+      }
+      RC_ASSERT(std::abs(signed_area(join(curves)) - signed_area(whole_outline(piece.edges))) < 1e-9);
+      ++compared;
+    }
+  }));
+  EXPECT_GT(compared, 20);
 }
 
 TEST(PatternJson, SameGarmentSameBytes) {
