@@ -19,7 +19,7 @@ constexpr int trial_triangles = 400;  // of a piece while places are tried
 constexpr double worth_a_dart = 0.9;  // of the energy, that a dart has to leave less than
 constexpr int places_on_an_edge = 6, tips_across = 5;
 constexpr double least_room = 0.012;  // [m] from a mouth to a corner or another mouth, from a tip to the outline
-constexpr double farthest = 0.6;      // of the way across the piece, that a dart goes
+constexpr double longest_reach = 0.6;      // of the way across the piece, that a dart goes
 constexpr int most_trials = 4;
 constexpr int most_refinements = 3;     // each by half the step
 constexpr double least_opening = 2e-4;  // [m] between the sides of a dart, but at its tip
@@ -195,7 +195,7 @@ class PieceWithDarts {
     if (!(place.at > least_room && place.at < curve.length() - least_room)) return std::nullopt;
     const Vec2 mouth = curve.at(place.at);
     if (distance(mouth, place.tip) < 2 * least_room || !inside(place.tip)) return std::nullopt;
-    if (distance(mouth, place.tip) > farthest * across(mouth, place.tip)) return std::nullopt;
+    if (distance(mouth, place.tip) > longest_reach * across(mouth, place.tip)) return std::nullopt;
     for (const DraftDart& other : piece().darts) {
       if (other.tip && distance_to(place.tip, edge(other.edge).at(other.at), *other.tip) < 2 * least_room) {
         return std::nullopt;
