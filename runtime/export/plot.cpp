@@ -124,17 +124,52 @@ class Panel {
     return out;
   }
 
+  /// In the corner that the fewest points are in.
   std::string legend() const {
+    std::size_t lines = 0, longest = 0;
+    for (const PlotSeries& series : panel_.series) {
+      lines += series.name.empty() ? 0 : 1;
+      longest = std::max(longest, series.name.size());
+    }
+    const double wide = 8 + 6 * static_cast<double>(longest), tall = 8 + 14 * static_cast<double>(lines);
+    double best_x = 0, best_y = 0;
+    std::size_t fewest = std::numeric_limits<std::size_t>::max();
+    for (const bool below : {false, true}) {
+      for (const bool beside : {false, true}) {
+        const double x = x_ + margin_left + (beside ? width() - wide : 0);
+        const double y = y_ + margin_top + (below ? height() - tall : 0);
+        const std::size_t found = points_within(x, x + wide, y, y + tall);
+        if (found >= fewest) continue;
+        fewest = found;
+        best_x = x;
+        best_y = y;
+      }
+    }
     std::string out;
-    double y = y_ + margin_top + 15;
+    double y = best_y + 15;
     for (std::size_t s = 0; s < panel_.series.size(); ++s) {
       if (panel_.series[s].name.empty()) continue;
       out += fmt::format("<text class=\"legend\" fill=\"{}\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
-                         plot_colours[s % plot_colours.size()], x_ + margin_left + 8, y,
-                         svg::escaped(panel_.series[s].name));
+                         plot_colours[s % plot_colours.size()], best_x + 8, y, svg::escaped(panel_.series[s].name));
       y += 14;
     }
     return out;
+  }
+
+  /// Of all curves, taken ten between two given ones.
+  std::size_t points_within(double low_x, double high_x, double low_y, double high_y) const {
+    std::size_t count = 0;
+    for (const PlotSeries& series : panel_.series) {
+      for (std::size_t i = 0; i < series.points.size(); ++i) {
+        const Vec2 from = series.points[i], to = series.points[std::min(i + 1, series.points.size() - 1)];
+        for (int part = 0; part < 10; ++part) {
+          const Vec2 p = series.marks ? from : from + 0.1 * part * (to - from);
+          const double x = at_x(p.x), y = at_y(p.y);
+          count += x >= low_x && x <= high_x && y >= low_y && y <= high_y ? 1 : 0;
+        }
+      }
+    }
+    return count;
   }
 
   const PlotPanel& panel_;

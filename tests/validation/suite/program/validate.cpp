@@ -35,6 +35,7 @@ int run(const std::vector<std::string>& arguments) {
     if (!wanted.empty() && std::ranges::find(wanted, each.name) == wanted.end()) continue;
     fmt::print(stderr, "{} …\n", each.name);
     chapters.push_back(each.run(quick ? Effort::Quick : Effort::Full));
+    if (quick) chapters.back().remarks.emplace_back("At the sizes of `./dev test`.");
   }
   std::string before;
   if (std::ifstream in(folder / "validation.md"); in) before = {std::istreambuf_iterator<char>(in), {}};
