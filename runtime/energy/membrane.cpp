@@ -163,7 +163,7 @@ Matrix9 membrane_hessian(const FabricLaw& law, const MembraneShape& shape, const
 Matrix96 membrane_by_pattern(const FabricLaw& law, const MembraneShape& shape, const Corners& x) {
   Vector9 gradient;
   membrane_energy(law, shape, x, &gradient);
-  const Matrix9 hessian = membrane_hessian(law, shape, x, Curvature::Full);
+  const Matrix9 hessian = membrane_hessian(law, shape, x, membrane_strain(shape, x), Curvature::Full);
   Matrix96 mixed;
   for (const int axis : {0, 1}) {
     const std::array<double, 3>& slope = axis == 0 ? shape.du : shape.dv;
