@@ -17,7 +17,7 @@ constexpr int cells = 8;              // of the lattice along the longer side of
 constexpr std::size_t samples = 500;  // triangles of the whole pattern, about
 constexpr std::size_t fewest = 1000;  // triangles of a pattern that it is worth it for
 constexpr int most_iterations = 12;
-constexpr int most_halvings = 20;
+constexpr int lattice_halvings = 20;
 constexpr double enough = 2e-3;     // fall of the energy in a step, relative, that ends it
 constexpr double smoothing = 1e-3;  // stiffness between neighbours of the lattice over the cloth's own
 
@@ -63,7 +63,7 @@ class CoarseStart {
       const Vector step = cholesky.solve(-gradient);
       const double before = now;
       double fraction = longest_step(c, step);
-      for (int halving = 0; halving < most_halvings; ++halving, fraction *= 0.5) {
+      for (int halving = 0; halving < lattice_halvings; ++halving, fraction *= 0.5) {
         const Vector trial = c + fraction * step;
         const double then = energy(trial, nullptr);
         if (!std::isfinite(then) || then > now + 1e-4 * fraction * gradient.dot(step)) continue;

@@ -67,14 +67,6 @@ void ElasticForm::make_hinges(const Cloth& cloth) {
     const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
     for (size_t extra = 2; extra < wings.size(); ++extra) free_wing(edge, wings[extra]);
   }
-  rotation_stiffness_.assign(hinges_.size(), 0.0);
-  for (const Triangle& triangle : triangles_) {
-    const Matrix3 stiffness = bending_hessian(law_, triangle.bending, {});
-    for (size_t corner = 0; corner < 3; ++corner) {
-      const auto index = static_cast<Eigen::Index>(corner);
-      rotation_stiffness_[static_cast<size_t>(triangle.sides[corner].hinge)] += stiffness(index, index);
-    }
-  }
 }
 
 void ElasticForm::make_elements() {

@@ -80,8 +80,6 @@ class ElasticForm : public Form {
   std::vector<PatternCoupling> pattern_couplings(const Cloth& cloth, const Vector& q) const;
   /// Sum over vertices of the norms of what each triangle's membrane puts on them, over the number of vertices [N].
   double mean_internal_force(const Vector& q) const;
-  /// The largest bending rigidity in reach of a hinge's rotation, to scale its regularisation [N m].
-  double rotation_stiffness(int hinge) const { return rotation_stiffness_[static_cast<std::size_t>(hinge)]; }
 
  private:
   struct Triangle {
@@ -120,7 +118,6 @@ class ElasticForm : public Form {
   std::vector<Element> elements_;
   std::vector<std::vector<std::int32_t>> hinge_places_;
   std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
-  std::vector<double> rotation_stiffness_;
   std::vector<ClothMemory> memory_;       // of each triangle; empty where nothing is remembered
   std::vector<MembraneStrain> foreseen_;  // per triangle; empty before the first step
 };
