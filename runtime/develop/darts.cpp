@@ -18,8 +18,8 @@ constexpr int most_darts = 6;         // in a piece as drawn
 constexpr int trial_triangles = 400;  // of a piece while places are tried
 constexpr double worth_a_dart = 0.9;  // of the energy, that a dart has to leave less than
 constexpr int places_on_an_edge = 6, tips_across = 5;
-constexpr double least_room = 0.012;  // [m] from a mouth to a corner or another mouth, from a tip to the outline
-constexpr double longest_reach = 0.6;      // of the way across the piece, that a dart goes
+constexpr double least_room = 0.012;   // [m] from a mouth to a corner or another mouth, from a tip to the outline
+constexpr double longest_reach = 0.6;  // of the way across the piece, that a dart goes
 constexpr int most_trials = 4;
 constexpr int most_refinements = 3;     // each by half the step
 constexpr double least_opening = 2e-4;  // [m] between the sides of a dart, but at its tip

@@ -117,8 +117,8 @@ class ElasticForm : public Form {
   std::vector<ClothHinge> hinges_;
   std::vector<Element> elements_;
   std::vector<std::vector<std::int32_t>> hinge_places_;
-  std::vector<double> last_angle_;  // of each hinge when the solver last came to rest: angles are unwrapped from it
-  std::vector<ClothMemory> memory_;       // of each triangle; empty where nothing is remembered
+  std::vector<double> last_angle_;   // of each hinge when the solver last came to rest: angles are unwrapped from it
+  std::vector<ClothMemory> memory_;  // of each triangle; empty where nothing is remembered
   std::vector<MembraneStrain> foreseen_;  // per triangle; empty before the first step
 };
 
