@@ -52,9 +52,8 @@ Chapter drape_coefficients(Effort effort) {
   Chapter chapter{
       "Cusick's drape test on published fabrics",
       "Petrak et al. (2025) and Matsudaira et al. (2015, on the tester of JIS L 1096), drape coefficients in per cent; "
-      "rows that were not published take class values. From flat: as every cloth is draped. Least energy: of five "
-      "starts "
-      "with 4 to 8 waves. A single fabric is held to 9 points, the mean of all to 9.",
+      "rows that were not published take class values. Draped from flat, as every cloth is; states of less energy are "
+      "not sought. A single fabric is held to 9 points, the mean of all to 9.",
       {},
       {},
       {}};
