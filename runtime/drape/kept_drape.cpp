@@ -60,7 +60,7 @@ class Reader {
     return value;
   }
   double real() {
-    const double value = std::bit_cast<double>(number());
+    const auto value = std::bit_cast<double>(number());
     ok_ = ok_ && std::isfinite(value);
     return value;
   }
@@ -77,7 +77,7 @@ class Reader {
   }
   std::string text() {
     const std::size_t size = count(1);
-    const std::string text(rest_.substr(0, size));
+    std::string text(rest_.substr(0, size));
     rest_.remove_prefix(size);
     return text;
   }
