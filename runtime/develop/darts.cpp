@@ -7,6 +7,7 @@
 #include <optional>
 
 #include "runtime/develop/develop.hpp"
+#include "runtime/develop/flattening.hpp"
 #include "runtime/drape/spread.hpp"
 #include "runtime/mesh/index.hpp"
 

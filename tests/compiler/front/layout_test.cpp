@@ -1,4 +1,5 @@
 // A script that is laid out anew makes the same pattern, to the last digit.
+#include <gtest/gtest.h>
 #include <rapidcheck/gtest.h>
 
 #include <fmt/format.h>
