@@ -15,13 +15,6 @@ namespace {
 constexpr std::string_view heading = "toile drape 1\n";
 constexpr std::uint64_t most = 10'000'000;  // of anything in a file that is to be believed
 
-/// FNV-1a.
-std::uint64_t checksum(std::string_view bytes) {
-  std::uint64_t hash = 0xcbf29ce484222325U;
-  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return hash;
-}
-
 class Writer {
  public:
   void number(std::uint64_t value) {
@@ -97,6 +90,12 @@ std::vector<std::array<int, 3>> triples(Reader& reader, std::size_t count, std::
 }
 
 }  // namespace
+
+std::uint64_t checksum(std::string_view bytes) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  for (const char c : bytes) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
+  return hash;
+}
 
 KeptDrape keep(const Garment& garment, const SewnMesh& mesh, const std::vector<Vec3>& positions) {
   KeptDrape kept{{}, mesh.p.points, mesh.p.triangles, {}, {}, positions};

@@ -1,6 +1,8 @@
 // A drape kept for later: what it takes to start the next one, of a changed pattern, from there.
 #pragma once
 
+#include <array>
+#include <cstdint>
 #include <optional>
 #include <string>
 #include <string_view>
@@ -26,6 +28,9 @@ KeptDrape keep(const Garment& garment, const SewnMesh& mesh, const std::vector<V
 /// Where the vertices of `mesh` start, through the pieces' own coordinates: what lies beyond the kept piece goes on as
 /// its last triangle does. nullopt when a piece is not among the kept ones.
 std::optional<std::vector<Vec3>> start_from(const KeptDrape& kept, const Garment& garment, const SewnMesh& mesh);
+
+/// FNV-1a.
+std::uint64_t checksum(std::string_view bytes);
 
 /// As bytes with their checksum, and back; nullopt for bytes that are not a whole kept drape.
 std::string to_bytes(const KeptDrape& kept);

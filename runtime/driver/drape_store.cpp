@@ -27,9 +27,7 @@ fs::path DrapeStore::usual_folder() {
 }
 
 fs::path DrapeStore::file(const std::string& key) const {
-  std::uint64_t hash = 0xcbf29ce484222325U;  // FNV-1a
-  for (const char c : key) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3U;
-  return folder_ / fmt::format("{:016x}.drape", hash);
+  return folder_ / fmt::format("{:016x}.drape", checksum(key));
 }
 
 std::optional<KeptDrape> DrapeStore::find(const std::string& key) const {

@@ -200,14 +200,8 @@ void write_layers(Dxf& dxf) {
 }  // namespace
 
 std::string pattern_dxf(const Garment& garment) {
-  std::vector<Box> boxes;
-  for (const Piece& piece : garment.pieces) {
-    Box box;
-    for (const Vec2 point : cut_line(piece.edges)) box.add(point);
-    boxes.push_back(box);
-  }
   Vec2 size;
-  const std::vector<Vec2> shifts = on_shelves(boxes, between_blocks, size);
+  const std::vector<Vec2> shifts = on_shelves(garment, between_blocks, size);
 
   Dxf dxf;
   begin_section("HEADER", dxf);

@@ -5,6 +5,7 @@
 #include <utility>
 
 #include "compiler/pattern/region.hpp"
+#include "runtime/export/cut_line.hpp"
 
 namespace toile {
 
@@ -79,6 +80,16 @@ std::vector<Vec2> on_shelves(const std::vector<Box>& boxes, double gap, Vec2& si
     size = tried_size;
   }
   return best;
+}
+
+std::vector<Vec2> on_shelves(const Garment& garment, double gap, Vec2& size) {
+  std::vector<Box> boxes;
+  for (const Piece& piece : garment.pieces) {
+    Box box;
+    for (const Vec2 point : cut_line(piece.edges)) box.add(point);
+    boxes.push_back(box);
+  }
+  return on_shelves(boxes, gap, size);
 }
 
 Spot free_spot(const Piece& piece, const std::vector<Spot>& taken) {

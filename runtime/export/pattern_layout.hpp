@@ -20,6 +20,9 @@ struct Box {
 /// out as the width and height of the whole.
 std::vector<Vec2> on_shelves(const std::vector<Box>& boxes, double gap, Vec2& size);
 
+/// The same for the pieces of a garment with their allowances.
+std::vector<Vec2> on_shelves(const Garment& garment, double gap, Vec2& size);
+
 /// A place in the piece far from its edges, folds and darts, and from those taken already.
 struct Spot {
   Vec2 at;

@@ -300,14 +300,8 @@ Frame frame(const Garment& garment, const Roles& roles, Vec2 size) {
 
 std::string pattern_svg(const Garment& garment) {
   const Roles roles = roles_of(garment);
-  std::vector<Box> boxes;
-  for (const Piece& piece : garment.pieces) {
-    Box box;
-    for (const Vec2 point : cut_line(piece.edges)) box.add(point);
-    boxes.push_back(box);
-  }
   Vec2 size;
-  const std::vector<Vec2> shifts = on_shelves(boxes, kGap, size);
+  const std::vector<Vec2> shifts = on_shelves(garment, kGap, size);
   const Frame around = frame(garment, roles, size);
   const double width = around.width + 2 * kMargin, height = around.above + around.below + 2 * kMargin;
 
