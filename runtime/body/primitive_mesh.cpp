@@ -9,10 +9,10 @@
 namespace toile {
 namespace {
 
-constexpr double facet = 0.008;  // [m] length of edges aimed at
+constexpr double facet_length = 0.008;  // [m] length of edges aimed at
 
 int divisions(double length, int least, int most) {
-  return std::clamp(static_cast<int>(std::ceil(length / facet)), least, most);
+  return std::clamp(static_cast<int>(std::ceil(length / facet_length)), least, most);
 }
 
 // Coordinates along one axis of a rounded box, as (core coordinate, slope of the normal): first the rounding, then the

@@ -1,9 +1,10 @@
 #include "runtime/place/winding.hpp"
 
-#include <Eigen/SparseCholesky>
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+
+#include "runtime/solve/sparse.hpp"
 
 namespace toile {
 namespace {
@@ -63,29 +64,27 @@ std::vector<double> harmonic_correction(const Cloth& cloth, const std::vector<bo
   std::vector<double> correction(n, 0.0);
   if (count == 0) return correction;
   const std::vector<double> weights = edge_weights(cloth);
-  std::vector<Eigen::Triplet<double>> entries;
-  Eigen::VectorXd right = Eigen::VectorXd::Zero(count);
-  const auto add = [&](int v, int w, double weight) {
-    if (row[v] < 0) return;
-    entries.emplace_back(row[v], row[v], weight);
-    if (row[w] >= 0) entries.emplace_back(row[v], row[w], -weight);
-    right(row[v]) += weight * difference(v, w);
-  };
+  std::vector<std::vector<int>> pairs;
+  pairs.reserve(cloth.edges.size());
+  for (const SMesh::Edge& edge : cloth.edges) pairs.push_back({edge.vertices[0], edge.vertices[1]});
+  SparseMatrix laplacian(row, pairs);
+  Vector right = Vector::Zero(static_cast<Eigen::Index>(n));
   for (std::size_t e = 0; e < cloth.edges.size(); ++e) {
     const auto [a, b] = cloth.edges[e].vertices;
-    add(a, b, weights[e]);
-    add(b, a, weights[e]);
+    laplacian.add(a, a, weights[e]);
+    laplacian.add(b, b, weights[e]);
+    laplacian.add(a, b, -weights[e]);
+    right(a) += weights[e] * difference(a, b);
+    right(b) += weights[e] * difference(b, a);
   }
+  for (std::size_t v = 0; v < n; ++v) right(static_cast<Eigen::Index>(v)) += source[v];
+  Cholesky cholesky;
+  cholesky.analyse(laplacian);
+  if (!cholesky.factorise(laplacian)) return correction;
+  const Vector found = cholesky.solve_free(laplacian, right);
   for (std::size_t v = 0; v < n; ++v) {
-    if (row[v] >= 0) right(row[v]) += source[v];
-  }
-  Eigen::SparseMatrix<double> laplacian(count, count);
-  laplacian.setFromTriplets(entries.begin(), entries.end());
-  const Eigen::SimplicialLDLT<Eigen::SparseMatrix<double>> factor(laplacian);
-  if (factor.info() != Eigen::Success) return correction;
-  const Eigen::VectorXd found = factor.solve(right);
-  for (std::size_t v = 0; v < n; ++v) {
-    if (row[v] >= 0 && std::isfinite(found(row[v]))) correction[v] = found(row[v]);
+    const double value = found(static_cast<Eigen::Index>(v));
+    if (row[v] >= 0 && std::isfinite(value)) correction[v] = value;
   }
   return correction;
 }
