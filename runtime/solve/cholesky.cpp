@@ -1,5 +1,7 @@
 #include <cholmod.h>
 
+#include <mutex>
+
 #include "runtime/solve/sparse.hpp"
 
 // From OpenMP's runtime, whose header clang does not bring.
@@ -31,6 +33,13 @@ struct Cholesky::Handle {
 
 namespace {
 
+/// BLAS built for one thread shares its buffers among all, and METIS draws from the one rand(): of two drapes in one
+/// process, one factorises at a time.
+std::mutex& one_at_a_time() {
+  static std::mutex mutex;
+  return mutex;
+}
+
 /// CHOLMOD's view of our arrays; it does not write to them.
 cholmod_sparse view(const SparseMatrix& matrix) {
   cholmod_sparse sparse{};
@@ -55,6 +64,7 @@ Cholesky::~Cholesky() = default;
 
 std::vector<int> Cholesky::good_order(const SparseMatrix& matrix) const {
   cholmod_sparse a = view(matrix);
+  const std::lock_guard<std::mutex> alone(one_at_a_time());
   cholmod_factor* factor = cholmod_analyze(&a, &handle_->common);
   const int* order = static_cast<const int*>(factor->Perm);
   std::vector<int> rows(order, order + matrix.rows());
@@ -65,6 +75,7 @@ std::vector<int> Cholesky::good_order(const SparseMatrix& matrix) const {
 void Cholesky::analyse(const SparseMatrix& matrix) {
   cholmod_sparse a = view(matrix);
   cholmod_free_factor(&handle_->factor, &handle_->common);
+  const std::lock_guard<std::mutex> alone(one_at_a_time());
   handle_->factor = cholmod_analyze(&a, &handle_->common);
 }
 
@@ -80,6 +91,7 @@ void Cholesky::analyse_in_order(const SparseMatrix& matrix) {
 bool Cholesky::factorise(const SparseMatrix& matrix) {
   cholmod_sparse a = view(matrix);
   ++factorisations_;
+  const std::lock_guard<std::mutex> alone(one_at_a_time());
   cholmod_factorize(&a, handle_->factor, &handle_->common);
   return handle_->common.status == CHOLMOD_OK && handle_->factor->minor == handle_->factor->n;
 }
@@ -91,6 +103,7 @@ Vector Cholesky::solve(const Vector& right) const {
   b.x = const_cast<double*>(right.data());
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
+  const std::lock_guard<std::mutex> alone(one_at_a_time());
   cholmod_dense* x = cholmod_solve(CHOLMOD_A, handle_->factor, &b, &handle_->common);
   if (x == nullptr) return Vector::Zero(right.size());
   Vector solution = Eigen::Map<const Vector>(static_cast<double*>(x->x), right.size());

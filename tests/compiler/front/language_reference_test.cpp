@@ -1,5 +1,5 @@
-// Every example in docs/language.md is a script that loads: without errors, or with the one that a comment before it
-// names (`<!-- E0201 -->`).
+// Every example in the documents of reference is a script that loads: without errors, or with the one that a comment
+// before it names (`<!-- E0201 -->`).
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -36,14 +36,14 @@ std::vector<Example> examples_in(std::istream& document) {
   return examples;
 }
 
-TEST(LanguageReference, EveryExampleRuns) {
-  std::ifstream document(TOILE_SOURCE_DIR "/docs/language.md");
-  ASSERT_TRUE(document);
-  const std::vector<Example> examples = examples_in(document);
-  EXPECT_GT(examples.size(), 15u);
+void expect_to_run(const std::string& document, std::size_t least) {
+  std::ifstream text(TOILE_SOURCE_DIR "/docs/" + document);
+  ASSERT_TRUE(text);
+  const std::vector<Example> examples = examples_in(text);
+  EXPECT_GE(examples.size(), least);
   for (const Example& example : examples) {
     Script script(example.text, {}, {{"cuffs.toile", "let width = 7cm\n"}});
-    SCOPED_TRACE("docs/language.md:" + std::to_string(example.line) + "\n" + script.rendered());
+    SCOPED_TRACE("docs/" + document + ":" + std::to_string(example.line) + "\n" + script.rendered());
     if (example.expected.empty()) {
       EXPECT_TRUE(script.program->diagnostics().empty());
       Result result;
@@ -59,6 +59,14 @@ TEST(LanguageReference, EveryExampleRuns) {
       EXPECT_EQ(script.program->diagnostics().front().code, example.expected);
     }
   }
+}
+
+TEST(LanguageReference, EveryExampleRuns) {
+  expect_to_run("language.md", 60);
+}
+
+TEST(LanguageReference, EveryExampleOfABodyRuns) {
+  expect_to_run("bodies.md", 3);
 }
 
 }  // namespace
