@@ -163,8 +163,8 @@ struct Garment : ViewOf<Kind::Garment> {
 };
 
 /// `piece name(parameters) { … }`, a variation `piece back = front with { … }`, or `piece cuff = parts.cuff(8cm)`.
-/// items() are Let Outline Hole Fold Cut Grain Dart Notch Pivot Spread Pleat Mark Drill Buttonhole Button Repeat
-/// Allowance Label.
+/// items() are Let Outline Hole InnerLine Fold Cut Grain Dart Notch Pivot Spread Pleat Mark Drill Buttonhole Button
+/// Repeat Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
@@ -178,8 +178,11 @@ struct Outline : ViewOf<Kind::Outline> {
   std::optional<Expr> origin() const { return after<Expr>(*this, Kind::KwFrom); }
 };
 
-/// items() are Edges.
-struct Hole : ViewOf<Kind::Hole> {
+/// `hole NAME from P { … }` or `line NAME from P { … }`: walked inside of the outline. items() are Edges.
+struct Inner : View {
+  static constexpr bool matches(Kind kind) { return kind == Kind::Hole || kind == Kind::InnerLine; }
+
+  bool is_line() const { return kind() == Kind::InnerLine; }
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Expr> origin() const { return after<Expr>(*this, Kind::KwFrom); }
 };

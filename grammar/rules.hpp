@@ -158,6 +158,10 @@ struct outline : statement<Kind::Outline, word<Kind::KwOutline>, to_block<edges>
                            edges, at_end<>> {};
 struct hole : statement<Kind::Hole, word<Kind::KwHole>, to_block<edges>, pegtl::opt<name_before<Kind::KwFrom>>,
                         with_value<Kind::KwFrom>, edges, at_end<>> {};
+/// `line` is a word of edges, too, which in a varied piece may stand alone.
+struct inner_line_word : pegtl::seq<word<Kind::KwLine>, pegtl::not_at<sign<Kind::Assign>>> {};
+struct inner_line : statement<Kind::InnerLine, inner_line_word, to_block<edges>, any_name, with_value<Kind::KwFrom>,
+                              edges, at_end<>> {};
 
 /// `side[3]` of what a `for` has made.
 struct which : node<Kind::Which, bracketed<Kind::LeftBracket, Kind::RightBracket, expression>> {};
@@ -210,7 +214,7 @@ struct label : line<Kind::Label, word<Kind::KwLabel>, expression> {};
 /// "And the rest as before": what a varied piece does not mention it has from its model, said or unsaid.
 struct and_so_on : sign<Kind::Ellipsis> {};
 struct piece_item : pegtl::sor<and_so_on, outline, let, solve, fold, detail, pivot, grain, allowance, cut, label, hole,
-                               repeat, allow> {};
+                               inner_line, repeat, allow> {};
 struct piece_block : block<piece_words, piece_item> {};
 struct piece
     : statement<

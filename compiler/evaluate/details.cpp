@@ -353,8 +353,8 @@ std::optional<std::string> named_edge(Session& session, const PieceInstance& pie
   const std::string name = fmt::format("{}", fmt::join(*path, "."));
   if (drafted_edge(draft, name) != nullptr) return name;
   std::vector<std::string> known = piece.edge_names();
-  for (const auto& hole : piece.holes) {
-    for (const PlannedEdge& rim : hole->edges) known.push_back(hole->name + "." + rim.name);
+  for (const auto& inner : piece.inner) {
+    for (const PlannedEdge& rim : inner->edges) known.push_back(inner->name + "." + rim.name);
   }
   if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
   const auto first = syntax::token(reference, syntax::Kind::Name);

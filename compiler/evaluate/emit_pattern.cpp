@@ -73,6 +73,11 @@ void emit_piece(std::string& out, const Piece& piece) {
     emit_edges(out, piece.holes[i], first, "      ");
     first += static_cast<int>(piece.holes[i].size());
   }
+  for (std::size_t i = 0; i < piece.lines.size(); ++i) {
+    out += fmt::format("    inner line {}\n", i);
+    emit_edges(out, piece.lines[i], first, "      ");
+    first += static_cast<int>(piece.lines[i].size());
+  }
   if (piece.fold) out += fmt::format("    fold {} {}\n", point(piece.fold->from), point(piece.fold->to));
   for (const Dart& dart : piece.darts) {
     out += fmt::format("    dart {} legs {} {} tip {} width {} depth {}{}\n", dart.name, dart.left_leg, dart.right_leg,

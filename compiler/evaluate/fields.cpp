@@ -23,7 +23,7 @@ struct Access {
   }
 };
 
-/// A definition inside of a module, garment, piece or hole.
+/// A definition inside of a module, garment, piece, hole or line.
 Value defined_in(const Access& access, const Scope& scope, const std::string& owner, const std::string& code) {
   if (Definition* definition = scope.own(access.text)) return force(access.session, *definition);
   return access.unknown(owner + " has no `" + access.text + "`", scope.own_names(), code);
@@ -156,8 +156,8 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
     if (access.text == "sewn" && (*piece)->scope->own("sewn") == nullptr) return sewn_lengths(session, **piece);
     return defined_in(access, *(*piece)->scope, "piece `" + (*piece)->name + "`", "E0103");
   }
-  if (const auto* hole = object.as<HoleRef>()) {
-    return defined_in(access, *(*hole)->scope, "hole `" + (*hole)->name + "`", "E0103");
+  if (const auto* inner = object.as<InnerRef>()) {
+    return defined_in(access, *(*inner)->scope, std::string((*inner)->kind()) + " `" + (*inner)->name + "`", "E0103");
   }
   if (const auto* record = object.as<RecordValue>()) return field_of(access, *record);
   if (const auto* body = object.as<BodyValue>()) return body_line(access, *body, object_at);

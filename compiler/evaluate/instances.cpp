@@ -17,11 +17,11 @@ std::vector<std::string> PieceInstance::edge_names() const {
   return names;
 }
 
-const HoleInstance* PieceInstance::hole(std::string_view hole_name) const {
-  if (taken != nullptr) return taken->hole(hole_name);
+const InnerInstance* PieceInstance::inner_called(std::string_view inner_name) const {
+  if (taken != nullptr) return taken->inner_called(inner_name);
   const auto found =
-      std::find_if(holes.begin(), holes.end(), [&](const auto& each) { return each->name == hole_name; });
-  return found == holes.end() || hole_name.empty() ? nullptr : found->get();
+      std::find_if(inner.begin(), inner.end(), [&](const auto& each) { return each->name == inner_name; });
+  return found == inner.end() || inner_name.empty() ? nullptr : found->get();
 }
 
 PieceInstance* GarmentInstance::piece(std::string_view piece_name) const {

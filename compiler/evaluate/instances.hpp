@@ -82,7 +82,7 @@ struct PiecePlan {
   std::vector<syntax::Solve> solves;
   std::optional<syntax::Outline> outline;  // the one that says where the pen starts
   std::vector<PlannedEdge> edges;
-  std::vector<syntax::Hole> holes;
+  std::vector<syntax::Inner> inner;  // holes and lines
   std::optional<syntax::Fold> fold;
   std::optional<syntax::Cut> cut;
   std::optional<syntax::Grain> grain;
@@ -91,11 +91,14 @@ struct PiecePlan {
   std::optional<syntax::Label> label;
 };
 
-struct HoleInstance {
+/// A hole or a line inside a piece.
+struct InnerInstance {
   std::string name;  // empty when the script gives none
-  syntax::Hole written;
+  syntax::Inner written;
   std::vector<PlannedEdge> edges;
   std::unique_ptr<Scope> scope;  // its edges
+
+  const char* kind() const { return written.is_line() ? "line" : "hole"; }
 };
 
 struct PieceInstance {
@@ -105,14 +108,14 @@ struct PieceInstance {
   syntax::Piece written;
   PiecePlan plan;
   const Scope* outer = nullptr;               // in which it is drawn, or taken
-  std::unique_ptr<Scope> scope;               // its lets, edges and holes
+  std::unique_ptr<Scope> scope;               // its lets, edges, holes and lines
   std::vector<std::unique_ptr<Scope>> turns;  // of a `for` of its edges
-  std::vector<std::unique_ptr<HoleInstance>> holes;
+  std::vector<std::unique_ptr<InnerInstance>> inner;
   bool sound = true;
 
   std::vector<std::string> edge_names() const;
-  /// The hole of that name, or null.
-  const HoleInstance* hole(std::string_view hole_name) const;
+  /// The hole or line of that name, or null.
+  const InnerInstance* inner_called(std::string_view inner_name) const;
 };
 
 struct GarmentInstance {

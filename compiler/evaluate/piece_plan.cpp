@@ -11,10 +11,10 @@
 namespace toile {
 namespace {
 
-bool is_among(const Session& session, const Module& module, const std::vector<syntax::Hole>& holes,
-              const syntax::Hole& hole) {
-  const std::string name = session.name_of(module, hole.name());
-  return !name.empty() && std::any_of(holes.begin(), holes.end(), [&](const syntax::Hole& other) {
+bool is_among(const Session& session, const Module& module, const std::vector<syntax::Inner>& all,
+              const syntax::Inner& inner) {
+  const std::string name = session.name_of(module, inner.name());
+  return !name.empty() && std::any_of(all.begin(), all.end(), [&](const syntax::Inner& other) {
     return session.name_of(module, other.name()) == name;
   });
 }
@@ -146,7 +146,7 @@ void PiecePlanner::apply(PieceInstance& piece) {
   PiecePlan& plan = piece.plan;
   const Module& module = garment_.scope->module();
   OwnDetails own(plan);
-  std::vector<syntax::Hole> own_holes;
+  std::vector<syntax::Inner> own_inner;
   std::map<std::string, Location> own_lets;
   if (const auto on = piece.written.on()) plan.on = on;
   for (const syntax::View item : syntax::items(piece.written)) {
@@ -163,8 +163,8 @@ void PiecePlanner::apply(PieceInstance& piece) {
       vary_outline(piece, *outline);
     } else if (const auto edge = syntax::as<syntax::Edge>(item)) {
       take_edge(piece, *edge);
-    } else if (const auto hole = syntax::as<syntax::Hole>(item)) {
-      own_holes.push_back(*hole);
+    } else if (const auto inner = syntax::as<syntax::Inner>(item)) {
+      own_inner.push_back(*inner);
     } else if (const auto fold = syntax::as<syntax::Fold>(item)) {
       plan.fold = fold;
     } else if (const auto cut = syntax::as<syntax::Cut>(item)) {
@@ -181,9 +181,9 @@ void PiecePlanner::apply(PieceInstance& piece) {
       own.take(item, std::nullopt);
     }
   }
-  // Two holes of one name in one block stay two, for the definition of names to notice.
-  std::erase_if(plan.holes, [&](const syntax::Hole& hole) { return is_among(session_, module, own_holes, hole); });
-  plan.holes.insert(plan.holes.end(), own_holes.begin(), own_holes.end());
+  // Two holes or lines of one name in one block stay two, for the definition of names to notice.
+  std::erase_if(plan.inner, [&](const syntax::Inner& each) { return is_among(session_, module, own_inner, each); });
+  plan.inner.insert(plan.inner.end(), own_inner.begin(), own_inner.end());
 }
 
 void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& outline) {

@@ -21,7 +21,7 @@
 namespace toile {
 namespace {
 
-/// Edges that the pen walks one after another: an outline or a hole.
+/// Edges that the pen walks one after another: an outline, a hole or a line.
 struct Walk {
   const Scope* scope = nullptr;
   const std::vector<PlannedEdge>* edges = nullptr;
@@ -114,20 +114,21 @@ bool define_edges(Session& session, Scope& scope, const Walk& loop) {
   return good;
 }
 
-void define_hole(Session& session, PieceInstance& piece, const syntax::Hole& written) {
-  HoleInstance& hole = *piece.holes.emplace_back(std::make_unique<HoleInstance>());
+void define_inner(Session& session, PieceInstance& piece, const syntax::Inner& written) {
+  InnerInstance& inner = *piece.inner.emplace_back(std::make_unique<InnerInstance>());
   Module& module = piece.scope->module();
-  hole.name = session.name_of(module, written.name());
-  hole.written = written;
-  hole.scope = std::make_unique<Scope>(module, piece.scope.get());
+  inner.name = session.name_of(module, written.name());
+  inner.written = written;
+  inner.scope = std::make_unique<Scope>(module, piece.scope.get());
   for (const syntax::View item : syntax::items(written)) {
     const auto edge = syntax::as<syntax::Edge>(item);
-    if (edge && edge->name()) hole.edges.push_back({session.name_of(module, edge->name()), *edge});
+    if (edge && edge->name()) inner.edges.push_back({session.name_of(module, edge->name()), *edge});
   }
-  const Walk loop{hole.scope.get(), &hole.edges, written.origin(), "the place where a hole begins"};
-  if (!define_edges(session, *hole.scope, loop)) piece.sound = false;
+  const Walk walk{inner.scope.get(), &inner.edges, written.origin(),
+                  written.is_line() ? "the place where a line begins" : "the place where a hole begins"};
+  if (!define_edges(session, *inner.scope, walk)) piece.sound = false;
   if (!written.name()) return;
-  Definition* made = define(session, *piece.scope, written.name(), [&hole]() -> Value { return HoleRef{&hole}; });
+  Definition* made = define(session, *piece.scope, written.name(), [&inner]() -> Value { return InnerRef{&inner}; });
   if (made != nullptr) made->yields = true;
   if (made == nullptr) piece.sound = false;
 }
@@ -145,7 +146,7 @@ class PieceDrafter {
     // All names are checked, also those that no edge uses.
     for (const auto& definition : piece_.scope->definitions()) force(session_, *definition);
     read_outline();
-    for (const auto& hole : piece_.holes) read_hole(*hole);
+    for (const auto& inner : piece_.inner) read_inner(*inner);
     read_fold();
     read_cut();
     read_grain();
@@ -188,10 +189,10 @@ class PieceDrafter {
     }
   }
 
-  void read_hole(const HoleInstance& hole) {
-    DraftHole made{hole.name, {}, module_.at(hole.written)};
-    read_edges(hole.edges, *hole.scope, made.edges);
-    draft_.holes.push_back(std::move(made));
+  void read_inner(const InnerInstance& inner) {
+    DraftInner made{inner.name, {}, module_.at(inner.written)};
+    read_edges(inner.edges, *inner.scope, made.edges);
+    (inner.written.is_line() ? draft_.lines : draft_.holes).push_back(std::move(made));
   }
 
   /// The drawn edge of that name; null with an error when there is none, null alone when its curve is not sound.
@@ -335,7 +336,7 @@ void define_piece_names(Session& session, PieceInstance& piece) {
   const Walk loop{piece.scope.get(), &piece.plan.edges, outline ? outline->origin() : std::nullopt,
                   "the place where an outline begins"};
   if (!define_edges(session, *piece.scope, loop)) piece.sound = false;
-  for (const syntax::Hole& hole : piece.plan.holes) define_hole(session, piece, hole);
+  for (const syntax::Inner& inner : piece.plan.inner) define_inner(session, piece, inner);
 }
 
 DraftPiece draft_piece(Session& session, PieceInstance& piece) {

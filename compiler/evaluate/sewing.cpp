@@ -82,15 +82,15 @@ class SewingReader {
     }
     if (piece->written.taken() && piece->taken == nullptr) return std::nullopt;  // told where it is taken
     made.edge = called->at(1);
-    if (const HoleInstance* hole = piece->hole(made.edge)) {
-      if (!read_rim(path, *hole, made)) return std::nullopt;
+    if (const InnerInstance* inner = piece->inner_called(made.edge)) {
+      if (!read_inner(path, *inner, made)) return std::nullopt;
       return read_side(path, 3, made) ? std::optional(made) : std::nullopt;
     }
-    // An edge of a hole without the hole's name: make_garment() tells how it is written.
+    // An edge of a hole without the hole's name, or of a line: make_garment() tells how it is written.
     std::vector<std::string> known = piece->edge_names();
-    for (const auto& hole : piece->holes) {
-      if (!hole->name.empty()) known.push_back(hole->name);
-      for (const PlannedEdge& rim : hole->edges) known.push_back(rim.name);
+    for (const auto& inner : piece->inner) {
+      if (!inner->name.empty()) known.push_back(inner->name);
+      for (const PlannedEdge& edge : inner->edges) known.push_back(edge.name);
     }
     if (std::find(known.begin(), known.end(), made.edge) == known.end()) {
       report_unknown(session_, module_, path[1], fmt::format("piece `{}` has no edge `{}`", made.piece, made.edge),
@@ -100,22 +100,23 @@ class SewingReader {
     return read_side(path, 2, made) ? std::optional(made) : std::nullopt;
   }
 
-  /// `piece.hole.edge`.
-  bool read_rim(const std::vector<syntax::Token>& path, const HoleInstance& hole, DraftEdgeRef& edge) {
+  /// `piece.hole.edge`, `piece.line.edge`.
+  bool read_inner(const std::vector<syntax::Token>& path, const InnerInstance& inner, DraftEdgeRef& edge) {
     std::vector<std::string> known;
-    for (const PlannedEdge& rim : hole.edges) known.push_back(rim.name);
+    for (const PlannedEdge& rim : inner.edges) known.push_back(rim.name);
     if (path.size() < 3) {
       const std::string example = known.empty() ? "rim" : known.front();
-      session_.report.add(Problem("E0308", fmt::format("`{}.{}` is a hole, no edge", edge.piece, hole.name))
-                              .at(module_.at(path[1]))
-                              .help(fmt::format("name its edges: `{}.{}.{}`", edge.piece, hole.name, example)));
+      session_.report.add(
+          Problem("E0308", fmt::format("`{}.{}` is a {}, no edge", edge.piece, inner.name, inner.kind()))
+              .at(module_.at(path[1]))
+              .help(fmt::format("name its edges: `{}.{}.{}`", edge.piece, inner.name, example)));
       return false;
     }
     const std::string rim = session_.name_of(module_, path[2]);
-    edge.edge = hole.name + "." + rim;
+    edge.edge = inner.name + "." + rim;
     if (std::find(known.begin(), known.end(), rim) != known.end()) return true;
-    report_unknown(session_, module_, path[2], fmt::format("hole `{}` has no edge `{}`", hole.name, rim), known,
-                   "E0308");
+    report_unknown(session_, module_, path[2], fmt::format("{} `{}` has no edge `{}`", inner.kind(), inner.name, rim),
+                   known, "E0308");
     return false;
   }
 

@@ -106,7 +106,7 @@ std::string describe(const Value& value) {
                         [](PieceTemplateRef) -> std::string { return "a piece with parameters"; },
                         [](GarmentRef) -> std::string { return "a garment"; },
                         [](PieceRef) -> std::string { return "a piece"; },
-                        [](HoleRef) -> std::string { return "a hole"; },
+                        [](InnerRef inner) -> std::string { return fmt::format("a {}", inner->kind()); },
                     },
                     value.data());
 }
@@ -179,7 +179,7 @@ std::string format(const Value& value) {
           [](const TextileValue& textile) { return "textile " + textile.textile->name; },
           [](GarmentRef garment) { return "garment " + garment->draft.name; },
           [](PieceRef piece) { return "piece " + piece->name; },
-          [](HoleRef hole) { return "hole " + hole->name; },
+          [](InnerRef inner) { return fmt::format("{} {}", inner->kind(), inner->name); },
           [&](const auto&) { return describe(value); },
       },
       value.data());

@@ -29,7 +29,7 @@ struct BodyInstance;
 struct ChartSpec;
 struct GarmentInstance;
 struct PieceInstance;
-struct HoleInstance;
+struct InnerInstance;
 struct DrapeRecord;
 
 /// Nothing can be said of it: a mistake was reported where it comes from, or its function's argument is not known yet.
@@ -101,14 +101,14 @@ using GarmentTemplateRef = const GarmentTemplate*;
 using PieceTemplateRef = const PieceTemplate*;
 using GarmentRef = GarmentInstance*;
 using PieceRef = PieceInstance*;
-using HoleRef = const HoleInstance*;
+using InnerRef = const InnerInstance*;
 
 class Value {
  public:
   using Data =
       std::variant<Unknown, Quantity, Truth, Text, Colour, Point, Point3, PlaneCurve, ListValue, RecordValue, BodyValue,
                    BodyLineValue, ChartValue, FabricValue, TextileValue, ResultValue, FunctionRef, BuiltinRef,
-                   ModuleRef, BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, HoleRef>;
+                   ModuleRef, BodyTemplateRef, GarmentTemplateRef, PieceTemplateRef, GarmentRef, PieceRef, InnerRef>;
 
   Value() = default;
   template <typename T>

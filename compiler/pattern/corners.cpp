@@ -21,10 +21,30 @@ SewnCorners::SewnCorners(const std::vector<Piece>& pieces) : pieces_(pieces) {
   int corners = 0;
   for (const Piece& piece : pieces) {
     first_corner_.push_back(corners);
-    corners += piece.edge_count();
+    corners += piece.edge_count() + static_cast<int>(piece.lines.size());
   }
   parent_.resize(corners);
   std::iota(parent_.begin(), parent_.end(), 0);
+  same_corner_ = parent_;
+  unite_lines_with_outlines();
+}
+
+void SewnCorners::unite_lines_with_outlines() {
+  constexpr double kSame = 2e-6;  // [m]
+  for (std::size_t p = 0; p < pieces_.size(); ++p) {
+    const Piece& piece = pieces_[p];
+    if (piece.lines.empty()) continue;
+    std::vector<Vec2> places;
+    for (int e = 0; e < piece.edge_count(); ++e) places.push_back(piece.edge(e).curve.start());
+    for (const auto& line : piece.lines) places.push_back(line.back().curve.end());
+    for (std::size_t later = 1; later < places.size(); ++later) {
+      for (std::size_t earlier = 0; earlier < later; ++earlier) {
+        if (distance(places[earlier], places[later]) > kSame) continue;
+        same_corner_[first_corner_[p] + later] = first_corner_[p] + static_cast<int>(earlier);
+        break;
+      }
+    }
+  }
 }
 
 int SewnCorners::find(int corner) const {
@@ -37,8 +57,19 @@ void SewnCorners::unite(int a, int b) {
 }
 
 int SewnCorners::corner_at_start(const ChainLink& link) const {
-  const int corner = link.forward ? link.edge.edge : pieces_[link.edge.piece].next_edge(link.edge.edge);
-  return first_corner_[link.edge.piece] + corner;
+  const Piece& piece = pieces_[link.edge.piece];
+  int corner = link.forward ? link.edge.edge : piece.next_edge(link.edge.edge);
+  if (corner < 0) {  // the end of a line
+    corner = piece.edge_count();
+    int first = corner;
+    for (std::size_t line = piece.lines.size(); line-- > 0;) {
+      first -= static_cast<int>(piece.lines[line].size());
+      if (link.edge.edge < first) continue;
+      corner += static_cast<int>(line);
+      break;
+    }
+  }
+  return same_corner_[first_corner_[link.edge.piece] + corner];
 }
 
 int SewnCorners::start(const ChainLink& link) const {

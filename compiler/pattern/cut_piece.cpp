@@ -67,12 +67,15 @@ std::vector<Piece> cut_piece(const DraftPiece& draft, const PieceUse& use, Findi
   const bool inside = check_marks(draft, drawn, findings);
   const bool allowances = check_allowances(draft, findings);
   const bool fold = !draft.fold || check_fold(draft, drawn, findings);
-  const bool marks = cut_darts(draft, drawn, findings) && pivot_darts(draft, drawn, findings) &&
+  const bool rims = check_rims(draft, findings);
+  const bool marks = rims && cut_darts(draft, drawn, findings) && pivot_darts(draft, drawn, findings) &&
                      finish_darts(draft, drawn, findings) && cut_pleats(draft, use, drawn, findings);
+  const bool lines = marks && check_lines(draft, drawn, findings);
   for (const DraftPlace& place : use.divisions) divide_at(drawn, place.edge, place.at);
   divide_at_creases(draft, drawn);
+  if (lines) divide_at_lines(drawn);
   const bool notches = set_notches(draft, drawn, findings);
-  if (!inside || !holes || !allowances || !fold || !marks || !notches) return {};
+  if (!inside || !holes || !allowances || !fold || !marks || !lines || !notches) return {};
   if (draft.fold) {
     Piece whole = unfolded(drawn.piece, *draft.fold);
     if (!check_unfolded(draft, whole, findings)) return {};

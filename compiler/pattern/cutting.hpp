@@ -38,7 +38,7 @@ struct PieceUse {
 };
 
 /// A drafted outline brought to counter-clockwise order, its holes clockwise. Loop 0 is the outline, then come the
-/// holes.
+/// holes, then the lines inside, which need not close.
 struct DrawnPiece {
   Piece piece;
   std::vector<bool> as_drawn;  // whether each loop is walked in the direction of drawing
@@ -47,9 +47,15 @@ struct DrawnPiece {
   std::vector<DraftNotch> fold_notches;  // at the ends of pleats
   std::vector<DraftPlace> crease_ends;   // on the edges opposite
 
-  int loop_count() const { return 1 + static_cast<int>(piece.holes.size()); }
-  std::vector<PieceEdge>& loop(int i) { return i == 0 ? piece.edges : piece.holes[i - 1]; }
-  const std::vector<PieceEdge>& loop(int i) const { return i == 0 ? piece.edges : piece.holes[i - 1]; }
+  int closed_count() const { return 1 + static_cast<int>(piece.holes.size()); }
+  int loop_count() const { return closed_count() + static_cast<int>(piece.lines.size()); }
+  const std::vector<PieceEdge>& loop(int i) const {
+    if (i == 0) return piece.edges;
+    return i < closed_count() ? piece.holes[i - 1] : piece.lines[i - closed_count()];
+  }
+  std::vector<PieceEdge>& loop(int i) {
+    return const_cast<std::vector<PieceEdge>&>(static_cast<const DrawnPiece&>(*this).loop(i));
+  }
   /// The number of an edge of a loop: Piece::edge().
   int number(int loop_index, int edge) const;
 };
@@ -76,11 +82,18 @@ bool in_cloth(const DrawnPiece& drawn, Vec2 point);
 /// Checks the outline by itself: names, lengths, closure, crossings, area. False when it cannot be cut.
 bool check_outline(const DraftPiece& draft, Findings& findings);
 bool check_holes(const DraftPiece& draft, Findings& findings);
+/// Lines inside lie on the cloth, cross nothing and touch the outline, if at all, with their ends. To be asked once
+/// darts and pleats are cut.
+bool check_lines(const DraftPiece& draft, const DrawnPiece& drawn, Findings& findings);
+/// Darts, pleats and allowances stand at the rim of the cloth, not on a line inside.
+bool check_rims(const DraftPiece& draft, Findings& findings);
+/// Puts the edges on which lines end in two there.
+void divide_at_lines(DrawnPiece& drawn);
 
 /// For an outline that passed its check: edges with their allowances, holes clockwise.
 DrawnPiece drawn_piece(const DraftPiece& draft);
 
-/// The named edge of the outline or of a hole, or null and reported as unknown.
+/// The named edge of the outline, of a hole or of a line, or null and reported as unknown.
 const DraftEdge* find_edge(const DraftPiece& draft, const std::string& edge, Location written, Findings& findings);
 
 /// Cuts the darts into the drawn loops: wedges at their edges, and those inside the piece as holes.

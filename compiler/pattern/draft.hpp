@@ -89,7 +89,8 @@ struct DraftAllowance {
   std::optional<AllowanceCorner> corner{};
 };
 
-struct DraftHole {
+/// A hole or a line inside a piece.
+struct DraftInner {
   std::string name;
   std::vector<DraftEdge> edges;
   Location written;
@@ -99,7 +100,8 @@ struct DraftHole {
 struct DraftPiece {
   std::string name;
   std::vector<DraftEdge> outline;
-  std::vector<DraftHole> holes;
+  std::vector<DraftInner> holes;
+  std::vector<DraftInner> lines;
   std::optional<std::string> fold;
   Location fold_written;
   bool mirrored = false;  // cut in mirrored pairs
@@ -121,7 +123,7 @@ struct DraftPiece {
 
 struct DraftEdgeRef {
   std::string piece;
-  std::string edge;          // of a hole with its name: "eye.rim"
+  std::string edge;          // of a hole or a line with its name: "eye.rim"
   std::optional<Side> side;  // only where the script says it: front.side.mirrored
   Location written;
   std::optional<DrawnSpan> part{};  // of a part of the edge
@@ -179,7 +181,7 @@ struct DraftGarment {
   Location written;
 };
 
-/// The edge of the outline or of a hole ("eye.rim") as it was drawn, or null.
+/// The edge of the outline, of a hole or of a line ("eye.rim") as it was drawn, or null.
 const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name);
 
 /// Always returns a garment; it is fit for meshing when no Error was added. Codes E0301 to E0399.

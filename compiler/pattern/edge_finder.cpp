@@ -8,36 +8,49 @@
 namespace toile {
 namespace {
 
-const DraftHole* hole_with(const DraftPiece& piece, const std::string& edge) {
-  for (const DraftHole& hole : piece.holes) {
-    for (const DraftEdge& rim : hole.edges) {
-      if (rim.name == edge) return &hole;
+// The hole or the line that has an edge of that name, and which of the two it is.
+struct Holder {
+  const DraftInner* inner = nullptr;
+  const char* kind = "";
+};
+
+Holder holder_of(const DraftPiece& piece, const std::string& edge) {
+  const auto find = [&](const std::vector<DraftInner>& all, const char* kind) {
+    for (const DraftInner& inner : all) {
+      for (const DraftEdge& own : inner.edges) {
+        if (own.name == edge) return Holder{&inner, kind};
+      }
     }
-  }
-  return nullptr;
+    return Holder{};
+  };
+  const Holder hole = find(piece.holes, "hole");
+  return hole.inner != nullptr ? hole : find(piece.lines, "line");
 }
 
 void report_unknown_edge(const DraftPiece& piece, const DraftEdgeRef& reference, Findings& findings) {
   std::vector<Label> labels{{reference.written, "unknown edge"}, {piece.written, "the piece"}};
-  const DraftHole* hole = hole_with(piece, reference.edge);
-  if (hole == nullptr) {
+  const Holder holder = holder_of(piece, reference.edge);
+  const DraftInner* const inner = holder.inner;
+  if (inner == nullptr) {
     std::vector<std::string> names;
     for (const DraftEdge& edge : piece.outline) names.push_back(edge.name);
-    for (const DraftHole& other : piece.holes) {
-      for (const DraftEdge& rim : other.edges) names.push_back(other.name + "." + rim.name);
+    for (const auto* all : {&piece.holes, &piece.lines}) {
+      for (const DraftInner& other : *all) {
+        for (const DraftEdge& own : other.edges) names.push_back(other.name + "." + own.name);
+      }
     }
     findings.error("E0308", "piece " + quoted(piece.name) + " has no edge named " + quoted(reference.edge),
                    std::move(labels), suggestion(reference.edge, names));
     return;
   }
-  labels.push_back({hole->written, "the hole"});
-  const std::string owner = hole->name.empty() ? "a hole" : "hole " + quoted(hole->name);
+  labels.push_back({inner->written, fmt::format("the {}", holder.kind)});
+  const std::string owner = inner->name.empty() ? "a hole" : fmt::format("{} {}", holder.kind, quoted(inner->name));
   findings.error(
-      "E0308", fmt::format("edge {} of piece {} bounds {}", quoted(reference.edge), quoted(piece.name), owner),
+      "E0308", fmt::format("edge {} of piece {} belongs to {}", quoted(reference.edge), quoted(piece.name), owner),
       std::move(labels),
-      hole->name.empty()
+      inner->name.empty()
           ? fmt::format("give the hole a name, `hole eye from ...`, and write `{}.eye.{}`", piece.name, reference.edge)
-          : fmt::format("write `{}.{}.{}`", piece.name, hole->name, reference.edge));
+          : fmt::format("write `{}.{}.{}`", piece.name, inner->name, reference.edge));
 }
 
 }  // namespace
@@ -46,9 +59,11 @@ const DraftEdge* drafted_edge(const DraftPiece& piece, const std::string& name) 
   for (const DraftEdge& edge : piece.outline) {
     if (edge.name == name) return &edge;
   }
-  for (const DraftHole& hole : piece.holes) {
-    for (const DraftEdge& rim : hole.edges) {
-      if (!hole.name.empty() && hole.name + "." + rim.name == name) return &rim;
+  for (const auto* all : {&piece.holes, &piece.lines}) {
+    for (const DraftInner& inner : *all) {
+      for (const DraftEdge& own : inner.edges) {
+        if (!inner.name.empty() && inner.name + "." + own.name == name) return &own;
+      }
     }
   }
   return nullptr;

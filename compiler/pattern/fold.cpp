@@ -32,15 +32,25 @@ std::vector<PieceEdge> mirrored_loop(const std::vector<PieceEdge>& edges, Vec2 p
   return loop;
 }
 
-// The number that an edge of a piece has in the mirrored copy whose loops begin at those numbers: loops keep their
-// order and are walked the other way round.
+int edges_of(const std::vector<std::vector<PieceEdge>>& walks) {
+  int count = 0;
+  for (const auto& walk : walks) count += static_cast<int>(walk.size());
+  return count;
+}
+
+// The number that an edge of a piece has in the mirrored copy whose loops and lines begin at those numbers: they keep
+// their order and are walked the other way round.
 class MirroredNumbers {
  public:
-  MirroredNumbers(const Piece& from, int outline_begin, int holes_begin) {
+  MirroredNumbers(const Piece& from, int outline_begin, int holes_begin, int lines_begin) {
     add(static_cast<int>(from.edges.size()), outline_begin);
     for (const auto& hole : from.holes) {
       add(static_cast<int>(hole.size()), holes_begin);
       holes_begin += static_cast<int>(hole.size());
+    }
+    for (const auto& line : from.lines) {
+      add(static_cast<int>(line.size()), lines_begin);
+      lines_begin += static_cast<int>(line.size());
     }
   }
   int operator()(int edge) const { return numbers_[edge]; }
@@ -160,8 +170,11 @@ Piece unfolded(const Piece& half, const std::string& fold) {
   Piece whole = drawn;
   whole.fold = line;
   for (const PieceEdge& edge : mirrored_loop(drawn.edges, line.from, axis)) whole.edges.push_back(edge);
-  // The holes' edges come behind those of both halves.
-  const auto behind = [n](int edge) { return edge < n ? edge : edge + n; };
+  // The holes' edges come behind those of both halves, and the lines' behind those of all holes.
+  const int hole_edges = edges_of(drawn.holes), line_edges = edges_of(drawn.lines);
+  const auto behind = [&](int edge) {
+    return edge < n ? edge : edge < n + hole_edges ? edge + n : edge + n + hole_edges;
+  };
   for (Notch& notch : whole.notches) notch.edge = behind(notch.edge);
   for (Dart& dart : whole.darts) {
     dart.left_leg = behind(dart.left_leg);
@@ -171,8 +184,9 @@ Piece unfolded(const Piece& half, const std::string& fold) {
     pleat = {pleat.name, behind(pleat.face), behind(pleat.under), behind(pleat.back), pleat.written};
   }
   for (const auto& hole : drawn.holes) whole.holes.push_back(mirrored_loop(hole, line.from, axis));
-  const int drawn_holes = drawn.edge_count() - n;
-  add_mirrored_marks(drawn, {drawn, n, 2 * n + drawn_holes}, line.from, axis, whole);
+  for (const auto& inner : drawn.lines) whole.lines.push_back(mirrored_loop(inner, line.from, axis));
+  const MirroredNumbers numbers(drawn, n, 2 * n + hole_edges, 2 * n + 2 * hole_edges + line_edges);
+  add_mirrored_marks(drawn, numbers, line.from, axis, whole);
   return whole;
 }
 
@@ -183,13 +197,15 @@ Piece mirrored_copy(const Piece& piece) {
   copy.side = Side::Mirrored;
   copy.edges = mirrored_loop(piece.edges, origin, axis);
   for (auto& hole : copy.holes) hole = mirrored_loop(hole, origin, axis);
+  for (auto& line : copy.lines) line = mirrored_loop(line, origin, axis);
   copy.warp = reflected(piece.warp, origin, axis);
   copy.notches.clear();
   copy.darts.clear();
   copy.pleats.clear();
   copy.marks.clear();
   copy.spots.clear();
-  add_mirrored_marks(piece, {piece, 0, static_cast<int>(piece.edges.size())}, origin, axis, copy);
+  const int outline = static_cast<int>(piece.edges.size());
+  add_mirrored_marks(piece, {piece, 0, outline, outline + edges_of(piece.holes)}, origin, axis, copy);
   return copy;
 }
 

@@ -34,7 +34,7 @@ bool names_differ(const std::string& owner, const std::vector<DraftEdge>& edges,
   for (std::size_t i = 0; i < edges.size(); ++i) {
     for (std::size_t j = 0; j < i; ++j) {
       if (edges[i].name != edges[j].name) continue;
-      findings.error("E0305", fmt::format("{} has two edges named {}", owner, quoted(edges[i].name)),
+      findings.error("E0102", fmt::format("{} has two edges named {}", owner, quoted(edges[i].name)),
                      {{edges[i].written, "the second"}, {edges[j].written, "the first"}},
                      "seams and darts find an edge by its name: give each its own");
       good = false;
@@ -125,7 +125,7 @@ bool check_loop(const std::string& owner, const std::vector<DraftEdge>& edges, L
   return false;
 }
 
-std::string hole_of(const DraftPiece& draft, const DraftHole& hole) {
+std::string hole_of(const DraftPiece& draft, const DraftInner& hole) {
   return hole.name.empty() ? "the hole in " + quoted(draft.name) : "hole " + quoted(hole.name);
 }
 
@@ -133,7 +133,7 @@ std::string hole_of(const DraftPiece& draft, const DraftHole& hole) {
 bool hole_names_differ(const DraftPiece& draft, Findings& findings) {
   bool good = true;
   for (std::size_t h = 0; h < draft.holes.size(); ++h) {
-    const DraftHole& hole = draft.holes[h];
+    const DraftInner& hole = draft.holes[h];
     if (hole.name.empty()) continue;
     std::vector<Label> labels{{hole.written, "this hole"}};
     for (const DraftEdge& edge : draft.outline) {
@@ -143,7 +143,7 @@ bool hole_names_differ(const DraftPiece& draft, Findings& findings) {
       if (draft.holes[other].name == hole.name) labels.push_back({draft.holes[other].written, "a hole of that name"});
     }
     if (labels.size() == 1) continue;
-    findings.error("E0305", fmt::format("the name {} is taken in piece {}", quoted(hole.name), quoted(draft.name)),
+    findings.error("E0102", fmt::format("the name {} is taken in piece {}", quoted(hole.name), quoted(draft.name)),
                    std::move(labels), "seams find edges and holes by their names: give each its own");
     good = false;
   }
@@ -151,7 +151,7 @@ bool hole_names_differ(const DraftPiece& draft, Findings& findings) {
 }
 
 // Half a hole drawn about the fold is no closed line, and a whole one lies in cloth that is not drawn.
-bool reaches_fold(const DraftPiece& draft, const DraftHole& hole, const Curve& rim, const std::string& owner,
+bool reaches_fold(const DraftPiece& draft, const DraftInner& hole, const Curve& rim, const std::string& owner,
                   Findings& findings) {
   for (const DraftEdge& edge : draft.outline) {
     if (draft.fold != edge.name || crossings(rim, edge.curve).empty()) continue;
@@ -178,7 +178,7 @@ bool check_holes(const DraftPiece& draft, Findings& findings) {
   hole_names_differ(draft, findings);
   const Region region(loop_of(draft.outline));
   for (std::size_t h = 0; h < draft.holes.size(); ++h) {
-    const DraftHole& hole = draft.holes[h];
+    const DraftInner& hole = draft.holes[h];
     const std::string owner = hole_of(draft, hole);
     names_differ(owner, hole.edges, findings);
     if (!check_loop(owner, hole.edges, hole.written, findings)) continue;

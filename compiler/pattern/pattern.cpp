@@ -3,19 +3,32 @@
 namespace toile {
 namespace {
 
-/// The loop on which an edge lies, and the number of the loop's first edge.
-struct PlaceOnLoop {
-  const std::vector<PieceEdge>& loop;
+/// The loop or line on which an edge lies, and the number of its first edge.
+struct PlaceOnWalk {
+  const std::vector<PieceEdge>& walk;
   int first;
+  bool is_line;
 };
 
-PlaceOnLoop place_of(const Piece& piece, int number) {
-  const auto size = [](const std::vector<PieceEdge>& loop) { return static_cast<int>(loop.size()); };
-  int first = size(piece.edges);
-  if (number < first) return {piece.edges, 0};
-  std::size_t hole = 0;
-  while (hole + 1 < piece.holes.size() && number >= first + size(piece.holes[hole])) first += size(piece.holes[hole++]);
-  return {piece.holes[hole], first};
+PlaceOnWalk place_of(const Piece& piece, int number) {
+  int first = 0;
+  const std::vector<PieceEdge>* walk = &piece.edges;
+  const auto passed = [&] {
+    const int end = first + static_cast<int>(walk->size());
+    if (number < end) return false;
+    first = end;
+    return true;
+  };
+  if (!passed()) return {*walk, first, false};
+  for (const auto& hole : piece.holes) {
+    walk = &hole;
+    if (!passed()) return {*walk, first, false};
+  }
+  for (const auto& line : piece.lines) {
+    walk = &line;
+    if (!passed()) return {*walk, first, true};
+  }
+  return {*walk, first, !piece.lines.empty()};
 }
 
 }  // namespace
@@ -23,12 +36,13 @@ PlaceOnLoop place_of(const Piece& piece, int number) {
 int Piece::edge_count() const {
   std::size_t count = edges.size();
   for (const auto& hole : holes) count += hole.size();
+  for (const auto& line : lines) count += line.size();
   return static_cast<int>(count);
 }
 
 const PieceEdge& Piece::edge(int number) const {
-  const PlaceOnLoop place = place_of(*this, number);
-  return place.loop[number - place.first];
+  const PlaceOnWalk place = place_of(*this, number);
+  return place.walk[number - place.first];
 }
 
 PieceEdge& Piece::edge(int number) {
@@ -36,8 +50,14 @@ PieceEdge& Piece::edge(int number) {
 }
 
 int Piece::next_edge(int number) const {
-  const PlaceOnLoop place = place_of(*this, number);
-  return place.first + (number - place.first + 1) % static_cast<int>(place.loop.size());
+  const PlaceOnWalk place = place_of(*this, number);
+  const int next = number - place.first + 1, count = static_cast<int>(place.walk.size());
+  if (place.is_line && next == count) return -1;
+  return place.first + next % count;
+}
+
+bool Piece::is_inside(int number) const {
+  return !lines.empty() && place_of(*this, number).is_line;
 }
 
 }  // namespace toile

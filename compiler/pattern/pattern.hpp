@@ -110,6 +110,7 @@ struct Piece {
   Side side = Side::Drawn;
   std::vector<PieceEdge> edges;
   std::vector<std::vector<PieceEdge>> holes;  // walked clockwise: they, too, have the cloth on their left
+  std::vector<std::vector<PieceEdge>> lines;  // inside, with cloth on both sides, walked as drawn
   std::optional<LineSegment> fold;            // where it was folded, for drawing and for centring
   Vec2 warp{0, -1};         // unit vector: the direction of the warp (u) in the drawing; weft is perpendicular(warp)
   bool free_grain = false;  // it turns where it costs least when the piece is developed
@@ -123,12 +124,14 @@ struct Piece {
   std::optional<ChartSpec> chart;  // drawn on a body: what stands here is in the chart, and is to be developed
   Location written;
 
-  /// All edges in one numbering: those of the outline, then those of the holes, hole by hole.
+  /// All edges in one numbering: those of the outline, then those of the holes, hole by hole, then those of the lines.
   int edge_count() const;
   const PieceEdge& edge(int number) const;
   PieceEdge& edge(int number);
-  /// The number of the edge that follows on the same loop.
+  /// The number of the edge that follows on the same loop or line; -1 at the end of a line.
   int next_edge(int number) const;
+  /// Whether it lies on a line inside the piece.
+  bool is_inside(int number) const;
 };
 
 /// A reference to one edge of one piece.

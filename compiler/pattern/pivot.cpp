@@ -173,9 +173,11 @@ class Pivot {
     rim.push_back(line(edges.back().curve.end(), tip_));
     const Region sector(join(rim));
     for (PieceEdge& edge : edges) turn(edge, angle, tip_);
-    for (auto& hole : drawn_.piece.holes) {
-      if (!sector.contains(hole.front().curve.at(hole.front().curve.length() / 2))) continue;
-      for (PieceEdge& edge : hole) turn(edge, angle, tip_);
+    for (auto* inner : {&drawn_.piece.holes, &drawn_.piece.lines}) {
+      for (std::vector<PieceEdge>& each : *inner) {
+        if (!sector.contains(each.front().curve.at(each.front().curve.length() / 2))) continue;
+        for (PieceEdge& edge : each) turn(edge, angle, tip_);
+      }
     }
     for (CutDart& dart : drawn_.darts) {
       if (&dart == &dart_ || dart.closed) continue;

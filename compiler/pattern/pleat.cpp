@@ -205,7 +205,7 @@ class PleatCutter {
     const Curve ray = line(start, start + kFar * inwards);
     double nearest = kFar;
     std::optional<EdgePlace> met;
-    for (int l = 0; l < drawn_.loop_count(); ++l) {
+    for (int l = 0; l < drawn_.closed_count(); ++l) {
       for (int i = 0; i < static_cast<int>(drawn_.loop(l).size()); ++i) {
         for (const Crossing& crossing : crossings(ray, drawn_.loop(l)[i].curve)) {
           if (crossing.s_first < 1e-4 || crossing.s_first >= nearest) continue;

@@ -2,6 +2,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <cmath>
 #include <map>
 #include <utility>
 
@@ -29,6 +30,43 @@ Vec2 chord(const std::vector<Piece>& pieces, const FoundEdge& edge) {
   return norm(way) > 1e-6 ? way : Vec2{};
 }
 
+bool is_line(const std::vector<Piece>& pieces, const ChainLink& link) {
+  return pieces[link.edge.piece].is_inside(link.edge.edge);
+}
+
+// From its start to its end; of one that closes the way round is told by `area` instead.
+struct Course {
+  Vec2 way;
+  double area = 0;  // [m2] to its left
+};
+
+Course course_of(const std::vector<Piece>& pieces, const Chain& chain) {
+  std::vector<Vec2> points;
+  for (const ChainLink& link : chain) {
+    const Curve& edge = pieces[link.edge.piece].edge(link.edge.edge).curve;
+    const std::vector<Vec2> along = (link.forward ? edge : edge.reversed()).polygon(1e-3);
+    points.insert(points.end(), along.begin(), along.end());
+  }
+  Course course{points.back() - points.front(), 0};
+  if (norm(course.way) > 1e-6) return course;
+  for (std::size_t i = 0; i + 1 < points.size(); ++i) course.area += cross(points[i], points[i + 1]) / 2;
+  return course;
+}
+
+// Whether two chains run the same way as the pieces lie in the drawing, one on the other; where they lie across each
+// other, as they are drawn.
+bool run_alike(const std::vector<Piece>& pieces, const Chain& first, const Chain& second) {
+  constexpr double kAcross = 0.2;  // cosine
+  const Course a = course_of(pieces, first), b = course_of(pieces, second);
+  if (a.area != 0 && b.area != 0) return a.area * b.area > 0;
+  const double alike = dot(a.way, b.way);
+  if (std::abs(alike) > kAcross * norm(a.way) * norm(b.way)) return alike > 0;
+  const auto as_drawn = [&](const ChainLink& link) {
+    return pieces[link.edge.piece].edge(link.edge.edge).against_drawing != link.forward;
+  };
+  return as_drawn(first.front()) == as_drawn(second.front());
+}
+
 bool any_free(const FoundChain& chain) {
   return std::any_of(chain.begin(), chain.end(), [](const FoundEdge& e) { return e.free(); });
 }
@@ -47,7 +85,13 @@ class Pairing {
  public:
   Pairing(const DraftSeam& draft, FoundChain first, FoundChain second, const std::vector<Piece>& pieces,
           const SewnCorners& corners)
-      : draft_(draft), first_(std::move(first)), second_(std::move(second)), pieces_(pieces), corners_(corners) {}
+      : draft_(draft),
+        first_(std::move(first)),
+        second_(std::move(second)),
+        pieces_(pieces),
+        corners_(corners),
+        is_upon_(is_line(pieces, drawn_copy(first_.front()).front()) ||
+                 is_line(pieces, drawn_copy(second_.front()).front())) {}
 
   std::vector<Seam> seams() const {
     const bool free = any_free(first_) || any_free(second_);
@@ -64,7 +108,8 @@ class Pairing {
   // Two lines that face the same side are mirror images of each other in the garment: drawn meets mirrored.
   bool same_way() const { return dot(chord(pieces_, first_.front()), chord(pieces_, second_.front())) > 0; }
 
-  Side partner(Side side) const { return same_way() ? other(side) : side; }
+  // What is laid upon a line inside a piece lies on its own copy.
+  Side partner(Side side) const { return !is_upon_ && same_way() ? other(side) : side; }
 
   Side stated_side() const {
     if (first_.front().written->side) return *first_.front().written->side;
@@ -142,6 +187,9 @@ class Pairing {
     made.name = chain_name(first_, first) + " to " + chain_name(second_, second);
     made.first = joined(first);
     made.second = joined(second);
+    if (is_upon_ && run_alike(pieces_, made.first, made.second) == draft_.reversed) {
+      made.second = reversed(made.second);
+    }
     made.fullness = draft_.fullness;
     made.stated = draft_.stated.value_or(0);
     made.written = draft_.written;
@@ -167,6 +215,7 @@ class Pairing {
   FoundChain first_, second_;
   const std::vector<Piece>& pieces_;
   const SewnCorners& corners_;
+  bool is_upon_;  // a line inside a piece
 };
 
 // The copies of one edge alone can be paired without knowing what else is sewn; chains need to know.
@@ -186,6 +235,13 @@ Seam layers(int piece, int upper, int lower) {
 }
 
 }  // namespace
+
+bool is_sewn_upon(const Seam& seam, const std::vector<Piece>& pieces) {
+  const auto any = [&](const Chain& chain) {
+    return std::any_of(chain.begin(), chain.end(), [&](const ChainLink& link) { return is_line(pieces, link); });
+  };
+  return any(seam.first) || any(seam.second);
+}
 
 std::vector<Seam> dart_seams(const std::vector<Piece>& pieces, SewnCorners& corners) {
   std::vector<Seam> seams;

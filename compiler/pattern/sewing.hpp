@@ -31,11 +31,13 @@ class SewnCorners {
 
  private:
   int corner_at_start(const ChainLink& link) const;
+  void unite_lines_with_outlines();
   int find(int corner) const;
   void unite(int a, int b);
 
   const std::vector<Piece>& pieces_;
-  std::vector<int> first_corner_;  // of each piece
+  std::vector<int> first_corner_;  // of each piece: its edges' starts, then the ends of its lines
+  std::vector<int> same_corner_;   // of each corner the first one in its piece that lies at the same place
   mutable std::vector<int> parent_;
 };
 
@@ -89,6 +91,9 @@ std::vector<Strand> both_copies(const FoundEdge& edge, int reference, bool cloth
 
 /// "front.side", "front.side.mirrored".
 std::string edge_name(const FoundEdge& edge, std::optional<Side> side);
+
+/// Whether one of the two chains runs over lines inside a piece.
+bool is_sewn_upon(const Seam& seam, const std::vector<Piece>& pieces);
 
 /// The legs of every dart, sewn from the mouth to the tip, and the layers of every pleat, sewn from its folds on.
 std::vector<Seam> dart_seams(const std::vector<Piece>& pieces, SewnCorners& corners);

@@ -125,8 +125,10 @@ class Spreading {
       };
       const DraftEdge* obstacle = nullptr;
       for (const DraftEdge& edge : draft_.outline) obstacle = blocks(edge) ? &edge : obstacle;
-      for (const DraftHole& hole : draft_.holes) {
-        for (const DraftEdge& rim : hole.edges) obstacle = blocks(rim) ? &rim : obstacle;
+      for (const auto* inner : {&draft_.holes, &draft_.lines}) {
+        for (const DraftInner& each : *inner) {
+          for (const DraftEdge& own : each.edges) obstacle = blocks(own) ? &own : obstacle;
+        }
       }
       if (obstacle == nullptr && region.contains(way.at(length / 2))) continue;
       std::vector<Label> labels;
@@ -284,9 +286,12 @@ class Spreading {
       pleat.place.at = made.moved(pleat.place.edge, pleat.place.at);
       if (pleat.other_end) pleat.other_end->at = made.moved(pleat.other_end->edge, pleat.other_end->at);
     }
-    for (DraftHole& hole : piece.holes) {
-      const Motion& motion = motions_[panel_of(hole.edges.front().curve.start())];
-      for (DraftEdge& edge : hole.edges) edge.curve = motion(edge.curve);
+    for (auto* inner : {&piece.holes, &piece.lines}) {
+      for (DraftInner& each : *inner) {
+        const Curve& first = each.edges.front().curve;
+        const Motion& motion = motions_[panel_of(first.at(first.length() / 2))];
+        for (DraftEdge& edge : each.edges) edge.curve = motion(edge.curve);
+      }
     }
     for (LineMark& mark : piece.marks) {
       mark.curve = motions_[panel_of(mark.curve.at(mark.curve.length() / 2))](mark.curve);

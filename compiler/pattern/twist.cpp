@@ -54,7 +54,7 @@ void check_sides(const DraftGarment& draft, const std::vector<std::vector<Seam>>
     for (std::size_t i = 0; i < seams.size(); ++i) {
       if (draft.seams[i].reversed != reversed) continue;
       for (const Seam& seam : seams[i]) {
-        if (seam.is_layer || seam.first.empty() || seam.second.empty()) continue;
+        if (seam.is_layer || seam.first.empty() || seam.second.empty() || is_sewn_upon(seam, pieces)) continue;
         if (sides.join(seam.first.front().edge.piece, seam.second.front().edge.piece, keeps_sides(seam))) continue;
         const std::string message = fmt::format(
             "the seam {} is twisted: it sews the right side of the cloth to the wrong side", quoted(seam.name));

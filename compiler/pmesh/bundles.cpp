@@ -291,6 +291,8 @@ Bundles make_bundles(const Garment& garment, double tolerance) {
   for (int p = 0; p < static_cast<int>(garment.pieces.size()); ++p) {
     add_edges(garment.pieces[p].edges, p, bundles);
     for (const auto& hole : garment.pieces[p].holes) add_edges(hole, p, bundles);
+    bundles.closed.push_back(static_cast<int>(bundles.loops[p].size()));
+    for (const auto& line : garment.pieces[p].lines) add_edges(line, p, bundles);
   }
   for (int attempt = 0; attempt < 4; ++attempt) {
     carry_breaks(garment, tolerance, bundles);

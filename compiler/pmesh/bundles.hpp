@@ -10,7 +10,7 @@ namespace toile {
 /// One edge of a piece's outline or hole, in the flat numbering used while meshing.
 struct OutlineEdge {
   PieceId piece = 0;
-  int loop = 0;  // 0 the outline, then the holes
+  int loop = 0;  // 0 the outline, then the holes, then the lines inside, which need not close
   const Curve* curve = nullptr;
   double length = 0;           // [m]
   std::vector<double> breaks;  // [m] arc lengths where a node must be: both ends, kinks, ends of edges sewn across
@@ -37,6 +37,7 @@ struct SewnStretches {
 struct Bundles {
   std::vector<OutlineEdge> edges;
   std::vector<std::vector<std::vector<int>>> loops;  // [piece][loop]: edges
+  std::vector<int> closed;                           // [piece]: so many of its loops close; the rest are lines
   std::vector<Stretch> stretches;
   std::vector<std::vector<int>> members;          // [bundle]: stretches, ascending
   std::vector<std::vector<SewnStretches>> seams;  // [seam], in the order of its chains

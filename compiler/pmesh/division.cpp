@@ -12,7 +12,7 @@ namespace {
 constexpr double kCornersMeet = 0.05;   // of the target edge
 constexpr double kShortestSide = 2e-6;  // [m] a side shorter than this is divided no further
 
-/// A loop of one or two edges needs more nodes than its edges have ends.
+/// A loop of one or two edges needs more nodes than its edges have ends, and so does a line that closes.
 int least_sides(const Bundles& bundles, const Stretch& stretch, int asked) {
   const OutlineEdge& edge = bundles.edges[stretch.edge];
   std::size_t stretches = 0;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <set>
 #include <utility>
 
 namespace toile {
@@ -12,8 +13,8 @@ constexpr int kFlipPasses = 8;
 
 using Triangles = std::vector<std::array<int, 3>>;
 
-/// For each corner the triangle across the opposite edge, or -1.
-std::vector<std::array<int, 3>> neighbours(const Triangles& triangles) {
+/// For each corner the triangle across the opposite edge, or -1; none across the edges of the lines that are kept.
+std::vector<std::array<int, 3>> neighbours(const Triangles& triangles, const std::vector<std::vector<int>>& kept) {
   struct Half {
     int low, high, triangle, corner;
   };
@@ -27,10 +28,14 @@ std::vector<std::array<int, 3>> neighbours(const Triangles& triangles) {
   }
   std::sort(halves.begin(), halves.end(),
             [](const Half& a, const Half& b) { return std::pair(a.low, a.high) < std::pair(b.low, b.high); });
+  std::set<std::pair<int, int>> walls;
+  for (const auto& line : kept) {
+    for (std::size_t i = 0; i + 1 < line.size(); ++i) walls.insert(std::minmax(line[i], line[i + 1]));
+  }
   std::vector<std::array<int, 3>> across(triangles.size(), {-1, -1, -1});
   for (std::size_t i = 0; i + 1 < halves.size(); ++i) {
     const Half &a = halves[i], &b = halves[i + 1];
-    if (a.low != b.low || a.high != b.high) continue;
+    if (a.low != b.low || a.high != b.high || walls.contains({a.low, a.high})) continue;
     across[a.triangle][a.corner] = b.triangle;
     across[b.triangle][b.corner] = a.triangle;
   }
@@ -39,8 +44,8 @@ std::vector<std::array<int, 3>> neighbours(const Triangles& triangles) {
 
 class Flipper {
  public:
-  Flipper(const std::vector<Vec2>& points, Triangles& triangles)
-      : points_(points), triangles_(triangles), across_(neighbours(triangles)) {}
+  Flipper(const std::vector<Vec2>& points, Triangles& triangles, const std::vector<std::vector<int>>& kept)
+      : points_(points), triangles_(triangles), across_(neighbours(triangles, kept)) {}
 
   /// Lawson's flips, until none helps.
   void run() {
@@ -171,8 +176,9 @@ void move(std::vector<Vec2>& points, int node, const Stars& stars) {
 
 }  // namespace
 
-void improve(std::vector<Vec2>& points, std::vector<std::array<int, 3>>& triangles, int fixed) {
-  Flipper flipper(points, triangles);
+void improve(std::vector<Vec2>& points, std::vector<std::array<int, 3>>& triangles, int fixed,
+             const std::vector<std::vector<int>>& kept) {
+  Flipper flipper(points, triangles, kept);
   for (int sweep = 0; sweep < kSweeps; ++sweep) {
     const Stars stars(triangles, points.size());
     for (int node = fixed; node < static_cast<int>(points.size()); ++node) move(points, node, stars);

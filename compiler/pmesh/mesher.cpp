@@ -62,7 +62,10 @@ PlaneDomain GarmentMesher::lay_out(PieceState& piece, PieceId id) const {
   PlaneDomain domain;
   piece.outline.clear();
   piece.loop_begin.clear();
-  for (const auto& edges : division_.bundles().loops[id]) {
+  const auto& loops = division_.bundles().loops[id];
+  const int closed = division_.bundles().closed[id];
+  for (int loop = 0; loop < closed; ++loop) {
+    const auto& edges = loops[loop];
     piece.loop_begin.push_back(static_cast<int>(piece.outline.size()));
     std::vector<Vec2>& nodes = domain.loops.emplace_back();
     for (const int edge : edges) {
@@ -74,9 +77,58 @@ PlaneDomain GarmentMesher::lay_out(PieceState& piece, PieceId id) const {
     }
   }
   piece.loop_begin.push_back(static_cast<int>(piece.outline.size()));
+  lay_out_lines(piece, id, domain);
   pin_creases(id, domain);
   add_pins(piece, domain);
   return domain;
+}
+
+/// Edges of lines begin and end at nodes that they share with each other, or with the outline.
+void GarmentMesher::lay_out_lines(PieceState& piece, PieceId id, PlaneDomain& domain) const {
+  piece.line_sides.clear();
+  piece.line_points.clear();
+  const Bundles& bundles = division_.bundles();
+  std::vector<Vec2> corners;
+  std::vector<int> corner_points;
+  const int outline = static_cast<int>(piece.outline.size());
+  const auto add = [&](Vec2 p) {
+    domain.line_nodes.push_back(p);
+    return outline + static_cast<int>(domain.line_nodes.size()) - 1;
+  };
+  const auto corner = [&](Vec2 p) {
+    constexpr double kSame = 2e-6;  // [m]
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      if (distance(corners[i], p) < kSame) return corner_points[i];
+    }
+    corners.push_back(p);
+    corner_points.push_back(add(p));
+    return corner_points.back();
+  };
+  const auto& loops = bundles.loops[id];
+  if (bundles.closed[id] < static_cast<int>(loops.size())) {
+    int point = 0;
+    for (const auto& loop : domain.loops) {
+      for (const Vec2 p : loop) {
+        corners.push_back(p);
+        corner_points.push_back(point++);
+      }
+    }
+  }
+  for (std::size_t line = bundles.closed[id]; line < loops.size(); ++line) {
+    std::vector<OutlineNode>& sides = piece.line_sides.emplace_back();
+    std::vector<int>& nodes = domain.lines.emplace_back();
+    for (const int edge : loops[line]) {
+      const auto& places = division_.points(edge);
+      std::vector<int>& own = piece.line_points.emplace_back();
+      for (int i = 0; i < static_cast<int>(places.size()); ++i) {
+        const bool is_end = i == 0 || i + 1 == static_cast<int>(places.size());
+        own.push_back(is_end ? corner(places[i]) : add(places[i]));
+        if (i > 0) sides.push_back({edge, i - 1});
+      }
+      nodes.insert(nodes.end(), own.begin() + (nodes.empty() ? 0 : 1), own.end());
+    }
+  }
+  piece.points_on_lines = static_cast<int>(domain.line_nodes.size());
 }
 
 /// How far a crease is from the nearest other one of its piece [m], by their middles.
@@ -119,7 +171,9 @@ void GarmentMesher::add_pins(const PieceState& piece, PlaneDomain& domain) const
 std::vector<SideSplit> GarmentMesher::wishes(const PieceState& piece) const {
   std::vector<SideSplit> all;
   for (const OutlineSplit& split : piece.triangulation.wanted) {
-    const OutlineNode& node = piece.outline[piece.loop_begin[split.loop] + split.from];
+    const int closed = static_cast<int>(piece.loop_begin.size()) - 1;
+    const OutlineNode& node = split.loop < closed ? piece.outline[piece.loop_begin[split.loop] + split.from]
+                                                  : piece.line_sides[split.loop - closed][split.from];
     all.push_back({node.edge, node.node, split.fraction});
   }
   return all;
@@ -163,11 +217,16 @@ int GarmentMesher::count() {
 int GarmentMesher::point(EdgeNode node) const {
   const PieceId id = division_.bundles().edges[node.edge].piece;
   const PieceState& piece = pieces_[id];
+  const Bundles& bundles = division_.bundles();
+  if (bundles.edges[node.edge].loop >= bundles.closed[id]) {
+    const int first_of_lines = bundles.loops[id][bundles.closed[id]].front();
+    return first_point_[id] + piece.line_points[node.edge - first_of_lines][node.node];
+  }
   // The outline lists edges in their flat order, each without its last node, which is the next one's first.
   const auto first = std::lower_bound(piece.outline.begin(), piece.outline.end(), node.edge,
                                       [](const OutlineNode& n, int edge) { return n.edge < edge; });
   int at = static_cast<int>(first - piece.outline.begin()) + node.node;
-  const int loop = division_.bundles().edges[node.edge].loop;
+  const int loop = bundles.edges[node.edge].loop;
   if (at == piece.loop_begin[loop + 1]) at = piece.loop_begin[loop];
   return first_point_[id] + at;
 }
@@ -179,7 +238,7 @@ PMesh GarmentMesher::mesh() {
   for (PieceId id = 0; id < static_cast<int>(pieces_.size()); ++id) {
     PieceState& piece = pieces_[id];
     Triangulation& t = piece.triangulation;
-    if (!piece.improved) improve(t.points, t.triangles, t.fixed);
+    if (!piece.improved) improve(t.points, t.triangles, t.fixed, piece.line_points);
     piece.improved = true;
     const int first = static_cast<int>(mesh.points.size());
     first_point_.push_back(first);
@@ -221,6 +280,14 @@ bool GarmentMesher::is_on_outline(int point) const {
   return point - first_point_[id] < static_cast<int>(pieces_[id].outline.size());
 }
 
+bool GarmentMesher::is_on_line(int point) const {
+  const PieceState& piece = pieces_[piece_of(point)];
+  const int own = point - first_point_[piece_of(point)], outline = static_cast<int>(piece.outline.size());
+  if (own >= outline) return own < outline + piece.points_on_lines;
+  return std::any_of(piece.line_points.begin(), piece.line_points.end(),
+                     [&](const std::vector<int>& points) { return points.front() == own || points.back() == own; });
+}
+
 void GarmentMesher::want_side_split(int a, int b) {
   const PieceId id =
       static_cast<PieceId>(std::upper_bound(first_point_.begin(), first_point_.end(), a) - first_point_.begin() - 1);
@@ -242,6 +309,7 @@ void GarmentMesher::want_smaller(PieceId id, Vec2 centre, double radius, double 
 }
 
 bool GarmentMesher::want_fan(int point, int sectors) {
+  if (!is_on_outline(point)) return false;
   const PieceId id = piece_of(point);
   PieceState& piece = pieces_[id];
   const OutlineNode& node = piece.outline[point - first_point_[id]];

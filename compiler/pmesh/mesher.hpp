@@ -23,6 +23,7 @@ class GarmentMesher {
 
   // Wishes for the next mesh; points are those of the last.
   bool is_on_outline(int point) const;
+  bool is_on_line(int point) const;
   /// Divides the side of an outline between two neighbouring points in the middle.
   void want_side_split(int a, int b);
   /// Edges no longer than `edge` [m] about a place of a piece.
@@ -40,8 +41,11 @@ class GarmentMesher {
     int sectors = 0;
   };
   struct PieceState {
-    std::vector<OutlineNode> outline;  // loop after loop
-    std::vector<int> loop_begin;       // into outline, and its end
+    std::vector<OutlineNode> outline;                  // loop after loop
+    std::vector<int> loop_begin;                       // into outline, and its end
+    std::vector<std::vector<OutlineNode>> line_sides;  // [line]: where its sides start
+    std::vector<std::vector<int>> line_points;  // of each edge of the lines: the outline's points, then the lines'
+    int points_on_lines = 0;                    // that are not on the outline
     TriangulationSize size;
     std::vector<Fan> fans;
     Triangulation triangulation;
@@ -52,6 +56,7 @@ class GarmentMesher {
   void settle();
   void triangulate_piece(PieceId id, Outline outline);
   PlaneDomain lay_out(PieceState& piece, PieceId id) const;
+  void lay_out_lines(PieceState& piece, PieceId id, PlaneDomain& domain) const;
   static double room_beside(const LineMark& crease, const Piece& piece);
   void pin_creases(PieceId id, PlaneDomain& domain) const;
   void add_pins(const PieceState& piece, PlaneDomain& domain) const;

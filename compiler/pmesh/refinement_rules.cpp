@@ -4,6 +4,8 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/pmesh/sides.hpp"
+
 namespace toile {
 namespace {
 
@@ -21,13 +23,38 @@ double angle_at(Vec2 apex, Vec2 a, Vec2 b) {
 
 }  // namespace
 
-RefinementRules::RefinementRules(const Loops& loops, const TriangulationSize& size) : size_(size) {
-  for (const auto& nodes : loops) {
+RefinementRules::RefinementRules(const PlaneDomain& domain, const TriangulationSize& size) : size_(size) {
+  for (const auto& nodes : domain.loops) {
     const std::size_t n = nodes.size();
     for (std::size_t i = 0; i < n; ++i) {
       const Vec2 before = nodes[(i + n - 1) % n], at = nodes[i], after = nodes[(i + 1) % n];
       const double angle = angle_at(at, before, after);
       if (cross(at - before, after - at) > 0 && angle < kAcuteCorner) acute_.push_back({at, angle});
+    }
+  }
+  add_corners_of_lines(domain);
+}
+
+/// Between the sides that meet at a node of a line, those of the outline among them.
+void RefinementRules::add_corners_of_lines(const PlaneDomain& domain) {
+  if (domain.lines.empty()) return;
+  const std::vector<Vec2> nodes = nodes_of(domain);
+  std::vector<bool> on_line(nodes.size(), false);
+  for (const auto& line : domain.lines) {
+    for (const int node : line) on_line[node] = true;
+  }
+  std::vector<std::vector<double>> directions(nodes.size());
+  for (const auto& [loop, from, a, b] : sides_of(domain)) {
+    const Vec2 way = nodes[b] - nodes[a];
+    if (on_line[a]) directions[a].push_back(std::atan2(way.y, way.x));
+    if (on_line[b]) directions[b].push_back(std::atan2(-way.y, -way.x));
+  }
+  for (std::size_t v = 0; v < nodes.size(); ++v) {
+    std::vector<double>& all = directions[v];
+    std::sort(all.begin(), all.end());
+    for (std::size_t i = 0; i < all.size() && all.size() > 1; ++i) {
+      const double angle = i + 1 < all.size() ? all[i + 1] - all[i] : all[0] + 2 * pi - all[i];
+      if (angle < kAcuteCorner) acute_.push_back({nodes[v], angle});
     }
   }
 }

@@ -11,7 +11,7 @@ namespace toile {
 
 class RefinementRules {
  public:
-  RefinementRules(const Loops& loops, const TriangulationSize& size);
+  RefinementRules(const PlaneDomain& domain, const TriangulationSize& size);
 
   /// 0 for a triangle that may stay; below 1 for a small angle, the smaller the more urgent; above 1 for one too large.
   double urgency(const std::array<Vec2, 3>& triangle) const;
@@ -29,6 +29,7 @@ class RefinementRules {
     double angle = 0;
   };
 
+  void add_corners_of_lines(const PlaneDomain& domain);
   bool acute_at(Vec2 p) const;
   bool excused(Vec2 apex, Vec2 a, Vec2 b) const;
   double edge_at(Vec2 p) const;

@@ -11,8 +11,8 @@
 #include <queue>
 #include <tuple>
 
-#include "compiler/pmesh/crossing_sides.hpp"
 #include "compiler/pmesh/refinement_rules.hpp"
+#include "compiler/pmesh/sides.hpp"
 
 namespace toile {
 namespace {
@@ -40,17 +40,10 @@ Vec2 vec(const Point& p) {
   return {p.x(), p.y()};
 }
 
-/// Where an outline node lies: on the side that starts at `from`, at `fraction` of it. Nodes inside have no loop.
-struct OutlinePlace {
-  int loop = -1;
-  int from = 0;
-  double fraction = 0;
-};
-
 class Refinement {
  public:
   Refinement(const PlaneDomain& domain, const TriangulationSize& size, Outline outline)
-      : loops_(domain.loops), pins_(domain.pins), rules_(domain.loops, size), outline_(outline) {}
+      : domain_(domain), rules_(domain, size), outline_(outline) {}
 
   Triangulation run() {
     insert_outline();
@@ -73,45 +66,46 @@ class Refinement {
     }
   };
 
-  VertexHandle insert_node(Vec2 p, OutlinePlace place, FaceHandle hint) {
+  VertexHandle insert_node(Vec2 p, FaceHandle hint) {
     const VertexHandle v = cdt_.insert(Point(p.x, p.y), hint);
     if (v->info().id < 0) {
-      v->info().id = static_cast<int>(places_.size());
-      places_.push_back(place);
+      v->info().id = static_cast<int>(nodes_.size());
       nodes_.push_back(v);
     }
     return v;
   }
 
   void insert_outline() {
-    std::vector<std::vector<VertexHandle>> handles(loops_.size());
     FaceHandle hint;
-    for (int l = 0; l < static_cast<int>(loops_.size()); ++l) {
-      for (int i = 0; i < static_cast<int>(loops_[l].size()); ++i) {
-        const VertexHandle v = insert_node(loops_[l][i], {l, i, 0}, hint);
-        hint = v->face();
-        handles[l].push_back(v);
-        node_of_outline_.push_back(v->info().id);
-      }
+    for (const Vec2 p : nodes_of(domain_)) {
+      const VertexHandle v = insert_node(p, hint);
+      hint = v->face();
+      node_of_outline_.push_back(v->info().id);
     }
-    for (int l = 0; l < static_cast<int>(loops_.size()); ++l) {
-      const int n = static_cast<int>(handles[l].size());
-      for (int i = 0; i < n; ++i) {
-        const VertexHandle a = handles[l][i], b = handles[l][(i + 1) % n];
-        if (a == b) continue;
-        try {
-          cdt_.insert_constraint(a, b);
-        } catch (const Cdt::Intersection_of_constraints_exception&) {
-          if (outline_ == Outline::Frozen) continue;
-          const auto splits = crossing_sides(loops_, l, i);
-          wanted_.insert(wanted_.end(), splits.begin(), splits.end());
-        }
-      }
+    for (const DomainSide& side : sides_of(domain_)) insert_side(side);
+  }
+
+  void insert_side(const DomainSide& side) {
+    const int a = node_of_outline_[side.a], b = node_of_outline_[side.b];
+    if (a == b) return;
+    try {
+      cdt_.insert_constraint(nodes_[a], nodes_[b]);
+      sides_.add(a, b, {side.loop, side.from, a});
+    } catch (const Cdt::Intersection_of_constraints_exception&) {
+      if (outline_ == Outline::Frozen) return;
+      const auto splits = crossing_sides(domain_, side);
+      wanted_.insert(wanted_.end(), splits.begin(), splits.end());
     }
   }
 
+  /// Of what lies between two nodes.
+  const DividedSides::Part* side_between(VertexHandle a, VertexHandle b) const {
+    return sides_.between(a->info().id, b->info().id);
+  }
+  bool is_line(const DividedSides::Part& side) const { return side.loop >= static_cast<int>(domain_.loops.size()); }
+
   void insert_pins() {
-    for (const Vec2 pin : pins_) node_of_pin_.push_back(insert_node(pin, {}, {})->info().id);
+    for (const Vec2 pin : domain_.pins) node_of_pin_.push_back(insert_node(pin, {})->info().id);
   }
 
   void mark_inside() {
@@ -127,7 +121,7 @@ class Refinement {
         for (int i = 0; i < 3; ++i) {
           const FaceHandle g = f->neighbor(i);
           if (visited[g]) continue;
-          if (f->is_constrained(i)) {
+          if (f->is_constrained(i) && bounds_cloth(f, i)) {
             next.push_back(g);
           } else {
             visited[g] = true;
@@ -141,6 +135,11 @@ class Refinement {
         open.push_back(f);
       }
     }
+  }
+
+  bool bounds_cloth(FaceHandle f, int i) const {
+    const DividedSides::Part* side = side_between(f->vertex(Cdt::ccw(i)), f->vertex(Cdt::cw(i)));
+    return side == nullptr || !is_line(*side);
   }
 
   // --- refinement -----------------------------------------------------------------------------------------------
@@ -195,7 +194,7 @@ class Refinement {
       }
     }
     if (encroached.empty()) {
-      const VertexHandle v = insert_node(vec(centre), {}, home);
+      const VertexHandle v = insert_node(vec(centre), home);
       mark_star(v);
       consider_star(v);
       return;
@@ -270,36 +269,34 @@ class Refinement {
   }
 
   bool split_side(VertexHandle a, VertexHandle b) {
-    // Put the side in its loop's direction.
-    OutlinePlace pa = places_[a->info().id], pb = places_[b->info().id];
-    if (pa.loop < 0 || pa.loop != pb.loop) return false;
-    if (!follows(pa, pb)) {
-      std::swap(a, b);
-      std::swap(pa, pb);
-      if (!follows(pa, pb)) return false;
-    }
+    const DividedSides::Part* known = side_between(a, b);
+    if (known == nullptr) return false;
+    const DividedSides::Part side = *known;
+    if (side.first != a->info().id) std::swap(a, b);  // now in its loop's direction
     const Vec2 p = vec(a->point()), q = vec(b->point());
     const auto lambda = rules_.place_of_split(p, q);
     if (!lambda) return false;
-    const double end = pb.from == pa.from ? pb.fraction : 1.0;
-    const OutlinePlace place{pa.loop, pa.from, pa.fraction + *lambda * (end - pa.fraction)};
     FaceHandle f;
     int i = 0;
     cdt_.is_edge(a, b, f, i);
-    const VertexHandle v = insert_on_side(p + *lambda * (q - p), place, a, b, f);
-    wanted_.push_back({place.loop, place.from, place.fraction});
-    mark_star_on_side(v, a, b);
+    const VertexHandle v = insert_on_side(p + *lambda * (q - p), a, b, f);
+    wanted_.push_back({side.loop, side.from, sides_.divide(a->info().id, b->info().id, v->info().id, *lambda)});
+    if (is_line(side)) {
+      mark_star(v);
+    } else {
+      mark_star_on_side(v, a, b);
+    }
     consider_star(v);
     return true;
   }
 
   /// Rounding puts the node a hair off the side, so the constraint is renewed through it.
-  VertexHandle insert_on_side(Vec2 p, OutlinePlace place, VertexHandle a, VertexHandle b, FaceHandle f) {
+  VertexHandle insert_on_side(Vec2 p, VertexHandle a, VertexHandle b, FaceHandle f) {
     cdt_.remove_constrained_edge(f, f->index(third(f, a, b)));
     FaceHandle g;
     int i = 0;
     if (cdt_.is_edge(a, b, g, i)) f = g;
-    const VertexHandle v = insert_node(p, place, f);
+    const VertexHandle v = insert_node(p, f);
     cdt_.insert_constraint(a, v);
     cdt_.insert_constraint(v, b);
     return v;
@@ -310,11 +307,6 @@ class Refinement {
       if (f->vertex(i) != a && f->vertex(i) != b) return f->vertex(i);
     }
     return {};
-  }
-
-  bool follows(const OutlinePlace& a, const OutlinePlace& b) const {
-    if (a.from == b.from) return b.fraction > a.fraction;
-    return b.fraction == 0 && b.from == (a.from + 1) % static_cast<int>(loops_[a.loop].size());
   }
 
   // --- output ---------------------------------------------------------------------------------------------------
@@ -334,18 +326,18 @@ class Refinement {
       return std::tie(a.loop, a.from, a.fraction) < std::tie(b.loop, b.from, b.fraction);
     });
     out.wanted.erase(std::unique(out.wanted.begin(), out.wanted.end()), out.wanted.end());
-    for (const auto& nodes : loops_) out.points.insert(out.points.end(), nodes.begin(), nodes.end());
+    out.points = nodes_of(domain_);
     out.fixed = static_cast<int>(out.points.size());
     if (!out.wanted.empty() || cdt_.dimension() < 2) return out;
 
     std::vector<int> final_id(nodes_.size(), -1);
     for (int i = static_cast<int>(node_of_outline_.size()) - 1; i >= 0; --i) final_id[node_of_outline_[i]] = i;
     const std::vector<bool> used = nodes_of_inner_faces();
-    for (std::size_t i = 0; i < pins_.size(); ++i) {
+    for (std::size_t i = 0; i < domain_.pins.size(); ++i) {
       int& id = final_id[node_of_pin_[i]];
       if (id >= 0 || !used[node_of_pin_[i]]) continue;
       id = out.fixed++;
-      out.points.push_back(pins_[i]);
+      out.points.push_back(domain_.pins[i]);
     }
     std::vector<int> inner;
     for (int i = 0; i < static_cast<int>(nodes_.size()); ++i) {
@@ -367,14 +359,13 @@ class Refinement {
     return out;
   }
 
-  const Loops& loops_;
-  const std::vector<Vec2>& pins_;
+  const PlaneDomain& domain_;
   RefinementRules rules_;
   Outline outline_;
   Cdt cdt_;
-  std::vector<OutlinePlace> places_;  // of every node by id
+  DividedSides sides_;
   std::vector<VertexHandle> nodes_;   // by id
-  std::vector<int> node_of_outline_;  // the loops' nodes in order, to ids
+  std::vector<int> node_of_outline_;  // the nodes of loops and lines, to ids
   std::vector<int> node_of_pin_;
   std::vector<OutlineSplit> wanted_;
   std::priority_queue<Candidate> queue_;

@@ -18,10 +18,12 @@ struct SizeSpot {
   double edge = 0;    // [m]
 };
 
-/// What to triangulate: polygons, and nodes inside that must be there.
+/// What to triangulate: polygons, lines inside that edges must follow, and nodes that must be there.
 struct PlaneDomain {
   Loops loops;
   std::vector<Vec2> pins;
+  std::vector<Vec2> line_nodes;         // of the lines, but those that they share with the loops
+  std::vector<std::vector<int>> lines;  // into the loops' nodes, one loop after another, and then the lines' own
 };
 
 struct TriangulationSize {
@@ -32,19 +34,19 @@ struct TriangulationSize {
 
 /// A place where refinement wants the side from node `from` of a loop to the next node divided.
 struct OutlineSplit {
-  int loop = 0;
+  int loop = 0;  // the lines come after the loops
   int from = 0;
   double fraction = 0;  // of the side, 0 < fraction < 1
 
   friend constexpr bool operator==(const OutlineSplit&, const OutlineSplit&) = default;
 };
 
-/// Plain triangles: the loops' nodes come first, in order, then the pins, then the nodes inside, sorted by place.
-/// Triangles are counter-clockwise, each starts with its smallest node, sorted.
+/// Plain triangles: the loops' nodes come first, in order, then the lines' own, the pins, and the nodes inside, sorted
+/// by place. Triangles are counter-clockwise, each starts with its smallest node, sorted.
 struct Triangulation {
   std::vector<Vec2> points;
   std::vector<std::array<int, 3>> triangles;
-  int fixed = 0;  // nodes of the loops and pins, which come first
+  int fixed = 0;  // nodes of the loops, lines and pins, which come first
   /// Not empty when good angles need more nodes on the outline, or when sides of it cross; then there are no triangles.
   std::vector<OutlineSplit> wanted;
 };

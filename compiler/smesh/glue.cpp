@@ -74,9 +74,48 @@ void pair_wings(const PMesh& mesh, const std::array<int, 2>& first, const std::a
                    [&](const SMesh::Wing& a, const SMesh::Wing& b) { return rank(a) < rank(b); });
 }
 
+/// Where a line inside a piece is sewn: the wings of its own cloth first. Of two lines of one piece those first that
+/// lie outside of the strip between them.
+void pair_wings_at_line(const PMesh& mesh, const std::array<int, 2>& line, const std::array<int, 2>& other, Vec2 beyond,
+                        SMesh::Edge& edge) {
+  pair_wings(mesh, line, other, edge);
+  const auto of_line = [&](const SMesh::Wing& wing, const std::array<int, 2>& side) {
+    const auto& t = mesh.triangles[wing.triangle];
+    const auto [low, high] = std::minmax(t[(wing.corner + 1) % 3], t[(wing.corner + 2) % 3]);
+    return std::array<int, 2>{low, high} == side;
+  };
+  const auto count = [&](const std::array<int, 2>& side) {
+    return std::count_if(edge.wings.begin(), edge.wings.end(), [&](const auto& wing) { return of_line(wing, side); });
+  };
+  if (count(line) != 2 || count(other) != 2) return;
+  edge.pairs = 2;
+  if (mesh.piece_of_point[line[0]] != mesh.piece_of_point[other[0]]) return;
+  const auto between = [&](const SMesh::Wing& wing) {
+    const bool first = of_line(wing, line);
+    const Vec2 on = mesh.points[first ? line[0] : other[0]];
+    const Vec2 along = mesh.points[first ? line[1] : other[1]] - on;
+    const Vec2 across = mesh.points[mesh.triangles[wing.triangle][wing.corner]] - on;
+    const Vec2 towards = first ? beyond : -beyond;
+    return cross(along, across) * cross(along, towards) > 0;
+  };
+  std::stable_sort(edge.wings.begin(), edge.wings.end(),
+                   [&](const SMesh::Wing& a, const SMesh::Wing& b) { return between(a) < between(b); });
+}
+
 std::array<int, 2> side_of(const std::vector<int>& run, std::size_t i) {
   const auto [low, high] = std::minmax(run[i], run[i + 1]);
   return {low, high};
+}
+
+/// Which of a seam's chains runs over a line inside a piece; the first one, where both do.
+enum class Lines { None, First, Second };
+
+Lines lines_of(const Garment& garment, const Seam& seam) {
+  const auto inside = [&](const Chain& chain) {
+    const EdgeRef& edge = chain.front().edge;
+    return garment.pieces[edge.piece].is_inside(edge.edge);
+  };
+  return inside(seam.first) ? Lines::First : inside(seam.second) ? Lines::Second : Lines::None;
 }
 
 /// An edge lies on the seam that joins it, before it lies on one of its further layers or of a pleat.
@@ -90,7 +129,19 @@ void mark_seams(const Garment& garment, const PMesh& mesh, SMesh& s) {
           if (edge == nullptr || edge->seam >= 0) continue;
           edge->seam = seam;
           if (edge->wings.size() == 2) edge->crease = garment.seams[seam].angle;
-          if (edge->wings.size() > 2) pair_wings(mesh, side_of(run.first, i), side_of(run.second, i), *edge);
+          if (edge->wings.size() <= 2) continue;
+          const Vec2 beyond = mesh.points[run.second[i]] - mesh.points[run.first[i]];
+          switch (lines_of(garment, garment.seams[seam])) {
+            case Lines::None:
+              pair_wings(mesh, side_of(run.first, i), side_of(run.second, i), *edge);
+              break;
+            case Lines::First:
+              pair_wings_at_line(mesh, side_of(run.first, i), side_of(run.second, i), beyond, *edge);
+              break;
+            case Lines::Second:
+              pair_wings_at_line(mesh, side_of(run.second, i), side_of(run.first, i), -beyond, *edge);
+              break;
+          }
         }
       }
     }

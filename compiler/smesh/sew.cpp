@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "compiler/pmesh/mesher.hpp"
 #include "compiler/smesh/glue.hpp"
 #include "compiler/smesh/smesh.hpp"
@@ -55,6 +57,17 @@ bool open_fan_nearby(const SewnMesh& mesh, const Breach& breach, GarmentMesher& 
   return any;
 }
 
+/// A corner of a piece that is sewn upon another is cut off by an edge which the other may have as well, however fine
+/// the meshes are; two triangles at the corner have no such edge.
+bool open_corner(const SewnMesh& mesh, int point, GarmentMesher& mesher) {
+  const auto& points = mesh.s.p_of_s[mesh.s.s_of_p[point]];
+  const bool on_line = std::any_of(points.begin(), points.end(), [&](int p) { return mesher.is_on_line(p); });
+  if (!on_line || !mesher.is_on_outline(point)) return false;
+  const auto at_point = [&](const auto& t) { return t[0] == point || t[1] == point || t[2] == point; };
+  const auto triangles = std::count_if(mesh.p.triangles.begin(), mesh.p.triangles.end(), at_point);
+  return triangles == 1 && mesher.want_fan(point, 2);
+}
+
 void mend(const SewnMesh& mesh, const std::vector<Breach>& breaches, GarmentMesher& mesher) {
   const std::vector<int> stars = star_sizes(mesh.s);
   for (const Breach& breach : breaches) {
@@ -63,6 +76,7 @@ void mend(const SewnMesh& mesh, const std::vector<Breach>& breaches, GarmentMesh
     for (const int facing : breach.facing) {
       const int vertex = mesh.s.s_of_p[facing];
       fanned |= stars[vertex] < 3 && !breach.on_outline && open_fan(mesh.s, vertex, mesher);
+      fanned |= open_corner(mesh, facing, mesher);
     }
     if (fanned) continue;
     if (breach.on_outline) {

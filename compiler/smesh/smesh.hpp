@@ -27,7 +27,8 @@ struct SMesh {
   std::vector<std::array<int, 3>> triangles;  // same order and same corners as the P-mesh's
 
   /// An edge of the sewn surface; `wings` are its triangles, one on a free edge, two inside or at a seam, more at a
-  /// T-seam.
+  /// T-seam or where something is sewn upon a piece. Of more the first two are bent as one cloth, and with `pairs` 2
+  /// also the next two, each pair by itself.
   struct Wing {
     int triangle = 0;
     int corner = 0;  // the edge is opposite to this corner of the triangle
@@ -36,6 +37,7 @@ struct SMesh {
     std::array<int, 2> vertices{};  // smaller first
     std::vector<Wing> wings;
     int seam = -1;  // index of the seam it lies on, or -1
+    int pairs = 1;
     /// [rad] by which the cloth is creased there, as pleats are pressed: the angle between its normals at rest,
     /// positive for a ridge seen from the right side.
     double crease = 0;

@@ -131,7 +131,7 @@ class Redrawing {
     for (std::size_t h = 0; h < piece.holes.size(); ++h) {
       RedrawnHole& hole = redrawn.holes.emplace_back();
       hole.name = EdgeNames::of_hole(h);
-      DraftHole draft_hole{hole.name, {}, piece.written};
+      DraftInner draft_hole{hole.name, {}, piece.written};
       for (std::size_t e = 0; e < piece.holes[h].size(); ++e, ++next) {
         hole.edges.push_back(redraw_edge(number, next));
         draft_hole.edges.push_back(draft_edge(hole.edges.back(), piece.holes[h][e].written));

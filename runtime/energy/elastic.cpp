@@ -45,7 +45,18 @@ void ElasticForm::make_hinges(const Cloth& cloth) {
     side(wing) = {static_cast<int>(hinges_.size()), 0, 1};
     hinges_.push_back({edge, {corner_vertex(wing, 1), corner_vertex(wing, 2), corner_vertex(wing, 0), -1}, 0});
   };
-  // Hinge e belongs to edge e; further wings of a T-seam come after all edges.
+  const auto pair = [&](int edge, const SMesh::Wing& first, const SMesh::Wing& second, double crease) {
+    // The second triangle walks the edge against the first where both are turned the same side up.
+    const bool agree = corner_vertex(second, 1) == corner_vertex(first, 2);
+    const int hinge = static_cast<int>(hinges_.size());
+    side(first) = {hinge, 1, 1};
+    side(second) = agree ? HingeSide{hinge, 1, -1} : HingeSide{hinge, -1, 1};
+    hinges_.push_back(
+        {edge,
+         {corner_vertex(first, 1), corner_vertex(first, 2), corner_vertex(first, 0), corner_vertex(second, 0)},
+         crease});
+  };
+  // Hinge e belongs to edge e; further pairs of wings, and single ones, come after all edges.
   for (int edge = 0; edge < cloth.edge_count; ++edge) {
     const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
     const SMesh::Wing& first = wings.front();
@@ -53,19 +64,16 @@ void ElasticForm::make_hinges(const Cloth& cloth) {
       free_wing(edge, first);
       continue;
     }
-    const SMesh::Wing& second = wings[1];
-    // The second triangle walks the edge against the first where both are turned the same side up.
-    const bool agree = corner_vertex(second, 1) == corner_vertex(first, 2);
-    side(first) = {edge, 1, 1};
-    side(second) = agree ? HingeSide{edge, 1, -1} : HingeSide{edge, -1, 1};
-    hinges_.push_back(
-        {edge,
-         {corner_vertex(first, 1), corner_vertex(first, 2), corner_vertex(first, 0), corner_vertex(second, 0)},
-         cloth.edges[static_cast<size_t>(edge)].crease});
+    pair(edge, first, wings[1], cloth.edges[static_cast<size_t>(edge)].crease);
   }
   for (int edge = 0; edge < cloth.edge_count; ++edge) {
     const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
-    for (size_t extra = 2; extra < wings.size(); ++extra) free_wing(edge, wings[extra]);
+    size_t extra = 2;
+    if (cloth.edges[static_cast<size_t>(edge)].pairs == 2) {
+      pair(edge, wings[2], wings[3], 0);
+      extra = 4;
+    }
+    for (; extra < wings.size(); ++extra) free_wing(edge, wings[extra]);
   }
 }
 

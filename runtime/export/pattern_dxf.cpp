@@ -170,6 +170,7 @@ void draw_piece(const Piece& piece, Dxf& dxf) {
     if (!is_dart) dxf.polyline(Layer::Opening, cut_line(hole), true);
     draw_edges(hole, dxf);
   }
+  for (const std::vector<PieceEdge>& line : piece.lines) draw_edges(line, dxf);
   draw_marks(piece, dxf);
   draw_writing(piece, dxf);
 }

@@ -128,6 +128,8 @@ Json json(const Piece& piece) {
     area += signed_area(whole_outline(hole));  // holes run clockwise
     holes.push_back(json(hole));
   }
+  Json lines = Json::array();
+  for (const auto& line : piece.lines) lines.push_back(json(line));
   Json object{
       {"name", piece.name},         {"drawn_name", piece.drawn_name}, {"mirrored", piece.side == Side::Mirrored},
       {"quantity", piece.quantity}, {"area_m2", tidy(area)},          {"warp", json(piece.warp)}};
@@ -135,6 +137,7 @@ Json json(const Piece& piece) {
   object["fold_m"] = piece.fold ? Json::array({json(piece.fold->from), json(piece.fold->to)}) : Json();
   object["edges"] = json(piece.edges);
   object["holes"] = holes;
+  object["lines"] = lines;
   object.update(marks(piece));
   return object;
 }

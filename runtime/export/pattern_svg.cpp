@@ -129,7 +129,7 @@ class Sheet {
  public:
   Sheet(const Piece& piece, int index, const Roles& roles) : piece_(piece), index_(index), roles_(roles) {}
 
-  std::string drawn() const { return cloth() + marks_svg(piece_) + writing() + edges(); }
+  std::string drawn() const { return cloth() + lines() + marks_svg(piece_) + writing() + edges(); }
 
  private:
   static std::vector<const Curve*> curves(const std::vector<PieceEdge>& edges, bool legs) {
@@ -156,6 +156,12 @@ class Sheet {
       const bool is_dart = std::all_of(hole.begin(), hole.end(), [](const PieceEdge& e) { return e.is_dart_leg; });
       if (!is_dart) drawing += loop(hole, "opening");
     }
+    return drawing;
+  }
+
+  std::string lines() const {
+    std::string drawing;
+    for (const auto& line : piece_.lines) drawing += svg::path("stitch", svg::path_data(curves(line, true), false));
     return drawing;
   }
 

@@ -53,6 +53,11 @@ class SewingPlan {
  private:
   const PieceEdge& edge(const ChainLink& link) const { return garment_.pieces[link.edge.piece].edge(link.edge.edge); }
 
+  bool is_line(const Chain& chain) const {
+    const EdgeRef& edge = chain.front().edge;
+    return garment_.pieces[edge.piece].is_inside(edge.edge);
+  }
+
   double length(const Chain& chain) const {
     double sum = 0;
     for (const ChainLink& link : chain) sum += edge(link).curve.length();
@@ -158,8 +163,22 @@ class SewingPlan {
     const Seam& first = garment_.seams[step.seams.front()];
     const double a = length(first.first), b = length(first.second);
     std::vector<std::string> lines;
-    lines.push_back(fmt::format("right sides together: {} to {}, allowances {} and {}", cm(a), cm(b),
-                                allowances(first.first), allowances(first.second)));
+    const bool on_first = is_line(first.first), on_second = is_line(first.second);
+    if (on_first && on_second) {
+      lines.push_back(
+          first.first.front().edge.piece == first.second.front().edge.piece
+              ? fmt::format("fold the cloth so that the two lines meet, and stitch along them, {}", cm(a))
+              : fmt::format("lay the pieces on each other, the lines meeting, and stitch along them, {}", cm(a)));
+    } else if (on_first || on_second) {
+      const Chain& own = on_first ? first.second : first.first;
+      lines.push_back(
+          fmt::format("press under the allowance, {}; lay it right side up with its edge on the line, {} on {}, "
+                      "and stitch close to the edge",
+                      allowances(own), cm(on_first ? b : a), cm(on_first ? a : b)));
+    } else {
+      lines.push_back(fmt::format("right sides together: {} to {}, allowances {} and {}", cm(a), cm(b),
+                                  allowances(first.first), allowances(first.second)));
+    }
     for (const int i : step.seams) {
       const Seam& layer = garment_.seams[i];
       if (layer.is_layer) {
@@ -172,7 +191,7 @@ class SewingPlan {
     if (first.closure == Seam::Closure::Zipped) lines.push_back("set a zip in place of the seam");
     if (first.closure == Seam::Closure::Buttoned)
       lines.push_back("finish both edges; they are buttoned over each other");
-    if (first.closure == Seam::Closure::Sewn && !first.open) {
+    if (first.closure == Seam::Closure::Sewn && !first.open && !on_first && !on_second) {
       lines.push_back(first.fullness == Seam::Fullness::Gather ? "press the allowances away from the gathers"
                                                                : "press the allowances open");
     }

@@ -9,6 +9,7 @@
 #include "runtime/place/arranged.hpp"
 #include "runtime/place/layout.hpp"
 #include "runtime/place/rest_mesh.hpp"
+#include "runtime/place/sewn_upon.hpp"
 #include "runtime/place/worn_component.hpp"
 
 namespace toile {
@@ -193,6 +194,7 @@ Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& 
       lay_out(rest, members, placed.positions);
     loose.add(members, placed.positions);
   }
+  lay_upon(mesh, placed.positions);
   keep_apart(placed.positions);
   for (const Worn& w : worn) {
     if (w.held) placed.held.insert(placed.held.end(), w.line->vertices.begin(), w.line->vertices.end());

@@ -80,7 +80,7 @@ TEST(OutlineErrors, LengthsThatAreNoLengths) {
 
 TEST(OutlineErrors, TwoEdgesOfOneName) {
   const DraftPiece piece = polygon("front", {{0, 0}, {0.4, 0}, {0.4, 0.4}}, {"a", "b", "a"});
-  const Diagnostic found = only_error(garment({piece}), "E0305");
+  const Diagnostic found = only_error(garment({piece}), "E0102");
   EXPECT_TRUE(shows(found, piece.outline[0].written));
   EXPECT_TRUE(shows(found, piece.outline[2].written));
 }

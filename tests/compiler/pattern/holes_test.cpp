@@ -12,7 +12,7 @@ using std::numbers::pi;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;
 
-DraftHole round_hole(std::string name, Vec2 centre, double radius) {
+DraftInner round_hole(std::string name, Vec2 centre, double radius) {
   return {std::move(name), {edge("rim", circle(centre, centre + Vec2{0, radius}))}, next_place()};
 }
 
@@ -161,10 +161,10 @@ TEST(Holes, AreFoundBehindTheirNames) {
 TEST(Holes, HaveNamesOfTheirOwn) {
   DraftPiece piece = poncho(0.05);
   piece.holes[0].name = "left";
-  EXPECT_THAT(codes(make(garment({piece}))), ElementsAre("E0305"));
+  EXPECT_THAT(codes(make(garment({piece}))), ElementsAre("E0102"));
   piece.holes[0].name = "eye";
   piece.holes.push_back(round_hole("eye", {0.1, 0.1}, 0.03));
-  EXPECT_THAT(codes(make(garment({piece}))), ElementsAre("E0305"));
+  EXPECT_THAT(codes(make(garment({piece}))), ElementsAre("E0102"));
   piece.holes[1].name = "other";
   EXPECT_EQ(complaints(make(garment({piece}))), "");
 }

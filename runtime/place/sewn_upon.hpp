@@ -1,0 +1,16 @@
+// Pieces that are sewn upon another one, as a patch pocket is.
+#pragma once
+
+#include <vector>
+
+#include "compiler/smesh/smesh.hpp"
+#include "runtime/mesh/vec3.hpp"
+
+namespace toile {
+
+/// Where a piece is sewn by its edges to a line inside another, it starts on that one's right side as the drawings
+/// tell: each of its places over the place of the other that it comes to lie on. What reaches beyond the other piece,
+/// as a flounce may, stays where it is but for a step off it. The other piece has its positions.
+void lay_upon(const SewnMesh& mesh, std::vector<Vec3>& positions);
+
+}  // namespace toile
