@@ -7,6 +7,7 @@
 
 #include "runtime/drape/drape.hpp"
 #include "tests/support/flat_region.hpp"
+#include "tests/support/hemisphere.hpp"
 #include "tests/support/sheet.hpp"
 
 namespace toile {
@@ -176,6 +177,33 @@ TEST(DevelopGores, FallWithTheFourthPowerOfTheirNumber) {
     integral += std::pow(pi * radius / 48 * std::cos(2.4 * ((i + 0.5) / steps - 0.5)), 5) * 2.4 * radius / steps;
   }
   EXPECT_NEAR(many / (48 * modulus * integral / (45 * std::pow(radius, 4))), 1, 0.03);
+}
+
+/// n darts make a hemisphere n gores that hang together about the pole. Each has the sum of its strips' energies, as
+/// above, so that all of them together fall with the fourth power of n once they are slender.
+TEST(DevelopHemisphere, WithManyDartsFallsWithTheFourthPowerOfTheirNumber) {
+  const double radius = 0.15;
+  double before = 0;
+  for (const int n : {4, 8, 16, 32}) {
+    const int rings = 96;
+    const Flattened flat =
+        solve(test::hemisphere_with_darts(radius, n, rings, rings / n, std::max(4, 96 / n)), isotropic(modulus));
+    double integral = 0;  // of w^5 over the meridian
+    const int steps = 1000;
+    for (int i = 0; i < steps; ++i) {
+      const double off = pi / 2 * (i + 0.5) / steps;
+      integral += std::pow(pi * radius / n * std::sin(off), 5) * pi / 2 * radius / steps;
+    }
+    const double theory = n * modulus * integral / (45 * std::pow(radius, 4));
+    const double power = before > 0 ? std::log2(before / total(flat)) : 0;
+    std::printf("hemisphere: %d darts leave %.4g J, %.2f of the gores'; the power is %.2f\n", n, total(flat),
+                total(flat) / theory, power);
+    if (n == 32) {
+      EXPECT_NEAR(power, 4, 0.2);
+      EXPECT_NEAR(total(flat) / theory, 1, 0.1);
+    }
+    before = total(flat);
+  }
 }
 
 /// The same cap in a cloth that is firm along the warp and soft across, with its grain at three angles: three patterns,
