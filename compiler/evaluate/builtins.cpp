@@ -53,6 +53,10 @@ bool fits(const Value& value, Want want) {
       return value.as<Truth>() != nullptr;
     case Want::Body:
       return value.as<BodyValue>() != nullptr || value.as<BodyLineValue>() != nullptr;
+    case Want::BodyLine:
+      return value.as<BodyLineValue>() != nullptr;
+    case Want::Map:
+      return value.as<ChartValue>() != nullptr || fits(value, Want::Body);
     case Want::Space:
       return space != nullptr && space->dimension == dimension::length;
     case Want::Direction:
@@ -91,6 +95,10 @@ std::string_view words(Want want) {
       return "true or false";
     case Want::Body:
       return "a body or a line of one";
+    case Want::BodyLine:
+      return "a line of a body";
+    case Want::Map:
+      return "a map of a body";
     case Want::Space:
       return "a point in space";
     case Want::Direction:

@@ -23,7 +23,9 @@ enum class Want {
   List,
   Text,
   Truth,
-  Body,       // or a line of it, whose axis is meant
+  Body,  // or a line of it, whose axis is meant
+  BodyLine,
+  Map,        // of a body; for a body or a line of it the one that pieces drawn on it have
   Space,      // a point in space
   Direction,  // three plain numbers
   Along,      // a length or a fraction

@@ -12,6 +12,7 @@
 
 #include "compiler/diag/diagnostic.hpp"
 #include "compiler/pattern/body_spec.hpp"
+#include "compiler/pattern/chart_spec.hpp"
 #include "compiler/pattern/draft.hpp"
 #include "compiler/pattern/pattern.hpp"
 
@@ -35,6 +36,9 @@ class World {
   virtual std::vector<std::string> module_names() = 0;
   /// Lines of a body, or an error in words.
   virtual std::variant<std::vector<BodyLineFacts>, std::string> measure(const BodySpec& body) = 0;
+  /// What is asked of a map of a body's surface, or an error in words.
+  virtual std::variant<ChartAnswer, std::string> charted(const BodySpec& body, const ChartSpec& chart,
+                                                         const ChartQuestion& question) = 0;
 };
 
 /// A result's fields by dotted name, SI: "contact.weight_error" -> 3e-4. Dimensions are in result_schema().

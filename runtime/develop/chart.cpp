@@ -6,13 +6,17 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/develop/conformal.hpp"
+
 namespace toile {
 namespace {
 
 constexpr int most_shelves = 400;
-constexpr double level_pole = 0.7;   // height of a unit vector below which a dome is looked at from the side
-constexpr double on_edge = 1e-9;     // how far outside of a triangle, in its own coordinates, still is on it
-constexpr double same_place = 1e-7;  // [m] hits nearer than this are one, on the edge of two triangles
+constexpr double level_pole = 0.7;     // height of a unit vector below which a dome is looked at from the side
+constexpr double on_edge = 1e-9;       // how far outside of a triangle, in its own coordinates, still is on it
+constexpr double same_place = 1e-7;    // [m] hits nearer than this are one, on the edge of two triangles
+constexpr double level_axis = 0.95;    // part of a unit vector that is upright from which an axis has no underside
+constexpr double off_the_body = 0.02;  // [m] that a point may lie off the patch that shows it
 
 Vec3 middle_of_line(const std::vector<Vec3>& closed_line) {
   Vec3 sum;
@@ -90,6 +94,13 @@ BodyChart::BodyChart(const Body& body, const ChartSpec& spec, std::string& error
     origin_ = round_it != nullptr ? middle_of_line(round_it->points) : middle_of_box(body.surface());
     if (spec.map == ChartSpec::Map::Cylinder) origin_.z = 0;
   }
+  if (spec.map == ChartSpec::Map::Cone && spec.radius <= 0) {
+    spec_.radius = line != nullptr ? line->girth / (2 * std::numbers::pi) : ChartSpec{}.radius;
+  }
+  if (spec.map == ChartSpec::Map::Conformal) {
+    lay_patch(line, error);
+    return;
+  }
   if (spec.centre) origin_ = space_point(*spec.centre);
   if (spec.pole) {
     up_ = normalized(space_point(*spec.pole));
@@ -99,14 +110,72 @@ BodyChart::BodyChart(const Body& body, const ChartSpec& spec, std::string& error
   sort_triangles();
 }
 
+/// A patch about a point is seen with what is higher on the body above; where the body lies level, with the back
+/// above. A limb's is cut open along its underside, of an upright one along the back, and lies with its line across.
+void BodyChart::lay_patch(const BodyLine* line, std::string& error) {
+  std::optional<Patch> patch;
+  ConformalMap::Seat seat;
+  if (line != nullptr) {
+    left_ = cross(up_, front_);
+    Vec3 open = std::abs(up_.z) < level_axis ? square_to(up_, {0, 0, -1}) : -front_;
+    if (spec_.cut) open = std::cos(*spec_.cut) * front_ + std::sin(*spec_.cut) * left_;
+    seat.origin = *std::min_element(line->points.begin(), line->points.end(), [&](Vec3 a, Vec3 b) {
+      return dot(normalized(square_to(up_, a - origin_)), open) < dot(normalized(square_to(up_, b - origin_)), open);
+    });
+    seat.up = up_;
+    patch = patch_of_limb(body_.surface(), *line, origin_, open, spec_.reach, error);
+  } else {
+    seat.origin = spec_.centre ? space_point(*spec_.centre) : origin_;
+    patch = patch_round(body_.surface(), seat.origin, spec_.reach, error);
+    const auto surface = body_.nearest(seat.origin, spec_.reach);
+    seat.up = surface && std::abs(surface->normal.z) > level_pole ? Vec3{0, 1, 0} : Vec3{0, 0, 1};
+  }
+  if (!patch) return;
+  conformal_ = std::make_shared<const ConformalMap>(std::move(*patch), seat, error);
+  if (!error.empty()) conformal_.reset();
+}
+
+/// On the unrolled cone a place lies about the tip, which is its side's length away from the line.
+BodyChart::AboutAxis BodyChart::about_axis(Vec2 place) const {
+  if (spec_.map == ChartSpec::Map::Cylinder) return {place.x / spec_.radius, place.y};
+  const double slope = std::sin(std::abs(spec_.angle)), towards_tip = spec_.angle > 0 ? 1 : -1;
+  const double side = spec_.radius / slope, below_tip = side - towards_tip * place.y;
+  return {std::atan2(place.x, below_tip) / slope,
+          towards_tip * (side - std::hypot(place.x, below_tip)) * std::cos(spec_.angle)};
+}
+
+Vec2 BodyChart::drawn(AboutAxis place) const {
+  if (spec_.map == ChartSpec::Map::Cylinder) return {spec_.radius * place.angle, place.height};
+  const double slope = std::sin(std::abs(spec_.angle)), towards_tip = spec_.angle > 0 ? 1 : -1;
+  const double side = spec_.radius / slope;
+  const double from_tip = side - towards_tip * place.height / std::cos(spec_.angle);
+  return {from_tip * std::sin(slope * place.angle), towards_tip * (side - from_tip * std::cos(slope * place.angle))};
+}
+
+std::optional<Vec2> BodyChart::place_of(Vec3 point, Vec2 near) const {
+  if (spec_.map == ChartSpec::Map::Conformal) {
+    return conformal_ != nullptr ? conformal_->place_of(point, off_the_body) : std::nullopt;
+  }
+  const Vec3 from = point - origin_;
+  const Vec2 across{dot(from, left_), dot(from, front_)};  // of the direction to the front, and to the left of it
+  if (turns()) {
+    const double angle = std::atan2(across.x, across.y), wanted = about_axis(near).angle;
+    const double turn = 2 * std::numbers::pi;
+    return drawn({angle + turn * std::round((wanted - angle) / turn), dot(from, up_)});
+  }
+  const double off_pole = std::atan2(norm(across), dot(from, up_));
+  if (norm(across) < 1e-12) return Vec2{0, 0};
+  return spec_.radius * off_pole / norm(across) * Vec2{across.x, -across.y};
+}
+
 double BodyChart::level(Vec2 place) const {
-  return spec_.map == ChartSpec::Map::Cylinder ? place.y : norm(place) / spec_.radius;
+  return turns() ? about_axis(place).height : norm(place) / spec_.radius;
 }
 
 BodyChart::Ray BodyChart::ray(Vec2 place) const {
-  if (spec_.map == ChartSpec::Map::Cylinder) {
-    const double angle = place.x / spec_.radius;
-    return {origin_ + place.y * up_, std::cos(angle) * front_ + std::sin(angle) * left_};
+  if (turns()) {
+    const AboutAxis at = about_axis(place);
+    return {origin_ + at.height * up_, std::cos(at.angle) * front_ + std::sin(at.angle) * left_};
   }
   // Seen from outside with the front below: x to the left of the wearer, y to the back.
   const double off_pole = norm(place) / spec_.radius;
@@ -117,7 +186,7 @@ BodyChart::Ray BodyChart::ray(Vec2 place) const {
 
 void BodyChart::sort_triangles() {
   const Body::Surface& surface = body_.surface();
-  const bool cylinder = spec_.map == ChartSpec::Map::Cylinder;
+  const bool cylinder = turns();
   const auto level_of = [&](Vec3 p) {
     const Vec3 from = p - origin_;
     return cylinder ? dot(from, up_) : std::atan2(norm(cross(up_, from)), dot(up_, from));
@@ -154,9 +223,10 @@ void BodyChart::sort_triangles() {
 }
 
 BodyChart::Meeting BodyChart::at(Vec2 place) const {
+  if (spec_.map == ChartSpec::Map::Conformal) return on_patch(place);
   Meeting meeting;
   const double where = (level(place) - lowest_) / step_;
-  const bool within = spec_.map == ChartSpec::Map::Cylinder || norm(place) < std::numbers::pi * spec_.radius;
+  const bool within = turns() || norm(place) < std::numbers::pi * spec_.radius;
   if (shelves_.empty() || !(where >= 0) || !(where <= most_shelves) || !within) return meeting;
   const Ray ray = this->ray(place);
   const Body::Surface& surface = body_.surface();
@@ -171,13 +241,27 @@ BodyChart::Meeting BodyChart::at(Vec2 place) const {
   hits.erase(std::unique(hits.begin(), hits.end(), [](double a, double b) { return b - a < same_place; }), hits.end());
   meeting.times = static_cast<int>(hits.size());
   if (hits.empty()) return meeting;
-  meeting.point = ray.from + hits.front() * ray.along;
-  if (spec_.ease > 0) {
-    if (const auto surface_point = body_.nearest(meeting.point, 1e-3)) {
-      meeting.point += spec_.ease * surface_point->normal;
-    }
-  }
+  meeting.point = eased(ray.from + hits.front() * ray.along);
   return meeting;
+}
+
+BodyChart::Meeting BodyChart::on_patch(Vec2 place) const {
+  Meeting meeting;
+  if (conformal_ == nullptr) return meeting;
+  std::vector<Vec3> found = conformal_->at(place);
+  for (std::size_t i = 0; i < found.size(); ++i) {
+    const bool again = std::any_of(found.begin(), found.begin() + static_cast<std::ptrdiff_t>(i),
+                                   [&](Vec3 other) { return distance(other, found[i]) < same_place; });
+    if (!again) ++meeting.times;
+  }
+  if (!found.empty()) meeting.point = eased(found.front());
+  return meeting;
+}
+
+Vec3 BodyChart::eased(Vec3 point) const {
+  if (!(spec_.ease > 0)) return point;
+  const auto surface_point = body_.nearest(point, 1e-3);
+  return surface_point ? point + spec_.ease * surface_point->normal : point;
 }
 
 }  // namespace toile

@@ -18,8 +18,8 @@ constexpr std::size_t samples = 500;  // triangles of the whole pattern, about
 constexpr std::size_t fewest = 1000;  // triangles of a pattern that it is worth it for
 constexpr int most_iterations = 12;
 constexpr int lattice_halvings = 20;
-constexpr double enough = 2e-3;     // fall of the energy in a step, relative, that ends it
-constexpr double smoothing = 1e-3;  // stiffness between neighbours of the lattice over the cloth's own
+constexpr double enough = 1e-2;     // fall of the energy in a step, relative, that ends it
+constexpr double link_smoothing = 1e-3;  // stiffness between neighbours of the lattice over the cloth's own
 
 struct Lattice {
   Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
@@ -166,7 +166,7 @@ class CoarseStart {
     const double stiffness = 0.5 * (law_.warp.initial_stiffness() + law_.weft.initial_stiffness());
     // A link takes the part of the cloth about it.
     link_stiffness_ =
-        smoothing * stiffness * area / std::max(1, nodes_) / (lattices_.front().cell * lattices_.front().cell);
+        link_smoothing * stiffness * area / std::max(1, nodes_) / (lattices_.front().cell * lattices_.front().cell);
   }
 
   static std::vector<int> unknowns(const std::vector<int>& nodes) {

@@ -59,12 +59,17 @@ class PieceWithDarts {
     if (now && now->p95 <= strain) leave_out_needless(strain);
   }
 
-  std::vector<ProposedDart> proposed() {
+  std::vector<ProposedDart> proposed() { return without_each_from(static_cast<std::size_t>(drawn_)); }
+
+  std::vector<ProposedDart> without_each_from(std::size_t first) {
     std::vector<ProposedDart> all;
-    for (std::size_t i = static_cast<std::size_t>(drawn_); i < darts().size(); ++i) {
+    if (first >= darts().size()) return all;
+    const ResidualStrain with = tried(darts(), whole_, false).value_or(ResidualStrain{});
+    for (std::size_t i = first; i < darts().size() && !job_.is_cancelled(); ++i) {
       std::vector<DraftDart> others = darts();
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
-      all.push_back({alone_.pieces.front().name, darts()[i], tried(others, whole_, false).value_or(ResidualStrain{})});
+      all.push_back(
+          {alone_.pieces.front().name, darts()[i], tried(others, whole_, false).value_or(ResidualStrain{}), with});
     }
     return all;
   }
@@ -305,6 +310,17 @@ double worst_strain_p95(const std::vector<double>& warp, const std::vector<doubl
     worst.push_back(std::max({std::abs(warp[t]), std::abs(weft[t]), std::abs(shear[t])}));
   }
   return spread(worst, areas).p95;
+}
+
+std::vector<ProposedDart> without_each_dart(const DraftGarment& draft, const Body& body, int triangles,
+                                            const Job& job) {
+  std::vector<ProposedDart> all;
+  for (std::size_t p = 0; p < draft.pieces.size(); ++p) {
+    for (ProposedDart& dart : PieceWithDarts(draft, p, body, triangles, job).without_each_from(0)) {
+      all.push_back(std::move(dart));
+    }
+  }
+  return all;
 }
 
 DartProposal propose_darts(const DraftGarment& draft, const Body& body, double strain, int triangles, const Job& job) {

@@ -20,6 +20,7 @@ struct ProposedDart {
   std::string piece;
   DraftDart dart;          // a slit in the chart
   ResidualStrain without;  // what would be left if it were left out of all
+  ResidualStrain with;     // what is left in the piece
 };
 
 struct DartProposal {
@@ -31,6 +32,9 @@ struct DartProposal {
 /// Darts for each piece of a garment that is drawn on a body, as few as bring its residual strain to `strain`; where no
 /// further dart does much good there may be fewer, and more left. `triangles`: of a piece, for the strain that counts.
 DartProposal propose_darts(const DraftGarment& draft, const Body& body, double strain, int triangles, const Job& job);
+
+/// What would be left in their pieces without each of the darts that a garment is drawn with: what a cut there gains.
+std::vector<ProposedDart> without_each_dart(const DraftGarment& draft, const Body& body, int triangles, const Job& job);
 
 /// Of a flat pattern whose strains and areas of triangles are these.
 double worst_strain_p95(const std::vector<double>& warp, const std::vector<double>& weft,

@@ -17,7 +17,7 @@ namespace {
 constexpr int most_halvings = 40;    // of a step that does not lower the energy
 constexpr double first_match = 10;   // stiffness of a match over that of a strip of cloth as wide as the pattern
 constexpr int most_stiffenings = 6;  // tenfold each
-constexpr double near_rest = 1e-3;   // relative residual below which the true Hessian is tried first
+constexpr double near_rest = 1e-2;   // relative residual below which the true Hessian is tried first
 
 constexpr double least_share_of_grain = 0.7;  // of a piece's extent along the warp that its grain line spans
 
@@ -49,7 +49,10 @@ double largest_mismatch(const FlatteningInput& input, const std::vector<Vec2>& u
 class Flattening {
  public:
   Flattening(const FlatteningInput& input, const FabricLaw& law, const FlattenOptions& options)
-      : input_(input), law_(law), options_(options), matrix_(free_plane_unknowns(input), plane_elements(input)) {
+      : input_(input),
+        law_(law),
+        options_(options),
+        matrix_(well_ordered_plane_unknowns(input), plane_elements(input)) {
     for (std::size_t t = 0; t < input.triangles.size(); ++t) {
       targets_.push_back(target_of(input, t));
       triangle_places_.push_back(matrix_.places(plane_unknowns(input.triangles[t])));
@@ -67,7 +70,7 @@ class Flattening {
     const double count = std::max<double>(1, static_cast<double>(targets_.size()));
     force_scale_ = stiffness_ * std::sqrt(4 / std::sqrt(3.0) * area / count);
     match_stiffness_ = first_match * stiffness_ * std::sqrt(area);
-    cholesky_.analyse(matrix_);
+    cholesky_.analyse_in_order(matrix_);
   }
 
   Flattened run(const Job& job) {
@@ -246,15 +249,17 @@ void Flattening::minimise(const Job& job) {
     const double noise = 1e-14 * std::abs(now);
     double fraction = longest_step(step);
     bool lowered = false;
+    Vector trial_gradient;
     for (int halving = 0; halving < most_halvings && !lowered; ++halving, fraction *= 0.5) {
       const Vector trial = q_ + fraction * step;
-      const double then = energy(trial, nullptr);
+      const double then = energy(trial, &trial_gradient);  // nearly always it goes on from there
       if (!std::isfinite(then) || then > now + 1e-4 * fraction * slope + noise) continue;
       lowered = true;
       q_ = trial;
+      now = then;
+      gradient.swap(trial_gradient);
     }
     if (!lowered) return;
-    now = energy(q_, &gradient);
   }
 }
 

@@ -11,6 +11,8 @@ using Matrix2 = Eigen::Matrix2d;
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
+constexpr int most_turns = 4;  // of Rayleigh's iteration, which triples the digits each time
+
 double cross(const Vector2& a, const Vector2& b) {
   return a.x() * b.y() - a.y() * b.x();
 }
@@ -22,11 +24,11 @@ Matrix2 plane_sides(const PlaneCorners& uv) {
   return sides;
 }
 
-/// The state of a triangle: the columns of F = X U^-1 and what the laws ask of them.
+/// The state of a triangle: what is to be known of the columns of F = X U^-1.
 struct FlatState {
-  double area;  // in the plane
-  Vector2 fu, fv;
+  double area;                             // in the plane
   double warp_length, weft_length, angle;  // |fu|, |fv|, phi
+  double along, across;                    // fu . fv, fu x fv
 };
 
 FlatState flat_state(const TargetTriangle& target, const PlaneCorners& uv) {
@@ -34,36 +36,12 @@ FlatState flat_state(const TargetTriangle& target, const PlaneCorners& uv) {
   FlatState s;
   s.area = 0.5 * plane.determinant();
   const Matrix2 f = target.sides * plane.inverse();
-  s.fu = f.col(0);
-  s.fv = f.col(1);
-  s.warp_length = s.fu.norm();
-  s.weft_length = s.fv.norm();
-  s.angle = std::atan2(s.fu.dot(s.fv), cross(s.fu, s.fv));
+  s.warp_length = f.col(0).norm();
+  s.weft_length = f.col(1).norm();
+  s.along = f.col(0).dot(f.col(1));
+  s.across = cross(f.col(0), f.col(1));
+  s.angle = std::atan2(s.along, s.across);
   return s;
-}
-
-// Derivatives are taken by K, the gradient of a small displacement in the plane: K = dU U^-1, entries uu, uv, vu, vv.
-// Then dF = -F K, d2F = 2 F K K, dA = A tr K and d2A = 2 A det K.
-constexpr int entries = 4;
-
-/// -F K for K with a one at entry k: the changes of fu and fv.
-struct Change {
-  Vector2 fu = Vector2::Zero(), fv = Vector2::Zero();
-};
-std::array<Change, entries> first_changes(const FlatState& s) {
-  return {{{-s.fu, Vector2::Zero()}, {Vector2::Zero(), -s.fu}, {-s.fv, Vector2::Zero()}, {Vector2::Zero(), -s.fv}}};
-}
-/// F (E_k E_l + E_l E_k): entry (i, j) times entry (j, m) gives entry (i, m).
-Change second_change(const FlatState& s, int k, int l) {
-  Change change;
-  const auto add = [&](int a, int b) {
-    if (a % 2 != b / 2) return;
-    const Vector2& thread = a / 2 == 0 ? s.fu : s.fv;
-    (b % 2 == 0 ? change.fu : change.fv) += thread;
-  };
-  add(k, l);
-  add(l, k);
-  return change;
 }
 
 struct Densities {
@@ -74,62 +52,37 @@ Densities densities(const FabricLaw& law, const FlatState& s) {
   return {law.warp(s.warp_length - 1), law.weft(s.weft_length - 1), law.shear(s.angle)};
 }
 
-/// First derivatives of |fu|, |fv|, phi by K, a column each.
-Eigen::Matrix<double, entries, 3> strain_slopes(const FlatState& s, const std::array<Change, entries>& first) {
-  Eigen::Matrix<double, entries, 3> slopes;
-  for (int k = 0; k < entries; ++k) {
-    const Change& d = first[static_cast<std::size_t>(k)];
-    slopes(k, 0) = s.fu.dot(d.fu) / s.warp_length;
-    slopes(k, 1) = s.fv.dot(d.fv) / s.weft_length;
-    // phi is a right angle less the angle from fu to fv.
-    slopes(k, 2) =
-        cross(s.fu, d.fu) / (s.warp_length * s.warp_length) - cross(s.fv, d.fv) / (s.weft_length * s.weft_length);
-  }
-  return slopes;
+// Derivatives are taken by K, the gradient of a small displacement in the plane: K = dU U^-1, entries uu, uv, vu, vv.
+// Then dF = -F K, d2F = 2 F K K, dA = A tr K and d2A = 2 A det K. The lengths of the threads, a and b, and phi change
+// by -(a, 0, along / a, 0), -(0, along / b, 0, b) and -(0, across / b^2, across / a^2, 0).
+constexpr int entries = 4;
+
+Vector4 slope_by_displacement(const FlatState& s, const Densities& psi) {
+  const double a = s.warp_length, b = s.weft_length;
+  return {psi.energy() - a * psi.warp.force, -s.along / b * psi.weft.force - s.across / (b * b) * psi.shear.force,
+          -s.along / a * psi.warp.force - s.across / (a * a) * psi.shear.force, psi.energy() - b * psi.weft.force};
 }
 
-/// Second derivatives of a thread's length and of its angle: along changes k and l, with the second change c.
-double length_curvature(const Vector2& f, double length, const Vector2& k, const Vector2& l, const Vector2& c) {
-  return (k.dot(l) - f.dot(k) * f.dot(l) / (length * length) + f.dot(c)) / length;
-}
-double angle_curvature(const Vector2& f, double length, const Vector2& k, const Vector2& l, const Vector2& c) {
-  const double square = length * length;
-  return cross(f, c) / square - (f.dot(k) * cross(f, l) + f.dot(l) * cross(f, k)) / (square * square);
-}
-
-double trace_of(int entry) {
-  return entry == 0 || entry == 3 ? 1 : 0;
-}
-/// Second derivative of the area over the area.
-double area_curvature(int k, int l) {
-  if ((k == 0 && l == 3) || (k == 3 && l == 0)) return 1;
-  if ((k == 1 && l == 2) || (k == 2 && l == 1)) return -1;
-  return 0;
-}
-
+/// The terms of the threads' second derivatives that those of the area do not cancel.
 Matrix4 hessian_by_displacement(const FlatState& s, const Densities& psi) {
-  const std::array<Change, entries> first = first_changes(s);
-  const Eigen::Matrix<double, entries, 3> slopes = strain_slopes(s, first);
-  const Eigen::Vector3d force(psi.warp.force, psi.weft.force, psi.shear.force);
-  const Vector4 slope = slopes * force;
-  Matrix4 hessian;
-  for (int k = 0; k < entries; ++k) {
-    for (int l = k; l < entries; ++l) {
-      const Change &a = first[static_cast<std::size_t>(k)], &b = first[static_cast<std::size_t>(l)];
-      const Change c = second_change(s, k, l);
-      const double shear_curvature = angle_curvature(s.fu, s.warp_length, a.fu, b.fu, c.fu) -
-                                     angle_curvature(s.fv, s.weft_length, a.fv, b.fv, c.fv);
-      const double material = psi.warp.stiffness * slopes(k, 0) * slopes(l, 0) +
-                              psi.weft.stiffness * slopes(k, 1) * slopes(l, 1) +
-                              psi.shear.stiffness * slopes(k, 2) * slopes(l, 2);
-      const double geometric = psi.warp.force * length_curvature(s.fu, s.warp_length, a.fu, b.fu, c.fu) +
-                               psi.weft.force * length_curvature(s.fv, s.weft_length, a.fv, b.fv, c.fv) +
-                               psi.shear.force * shear_curvature;
-      const double sized = area_curvature(k, l) * psi.energy() + trace_of(k) * slope[l] + trace_of(l) * slope[k];
-      hessian(k, l) = hessian(l, k) = s.area * (material + geometric + sized);
-    }
-  }
-  return hessian;
+  const double a = s.warp_length, b = s.weft_length, a2 = a * a, b2 = b * b;
+  const double turn_warp = s.across / a2, turn_weft = s.across / b2, force = psi.shear.force;
+  const double tension = a * psi.warp.force + b * psi.weft.force - psi.energy();
+  const auto aside = [&](const Density& thread, double length, double turned) {
+    const double slanted = s.along / length;
+    return thread.stiffness * slanted * slanted + psi.shear.stiffness * turned * turned +
+           thread.force * length * turned * turned - 2 * force * slanted / length * turned;
+  };
+  Matrix4 h = Matrix4::Zero();
+  h(0, 0) = psi.warp.stiffness * a2;
+  h(3, 3) = psi.weft.stiffness * b2;
+  h(1, 1) = aside(psi.weft, b, turn_weft);
+  h(2, 2) = aside(psi.warp, a, turn_warp);
+  h(0, 2) = h(2, 0) = psi.warp.stiffness * s.along - turn_warp * force;
+  h(1, 3) = h(3, 1) = psi.weft.stiffness * s.along - turn_weft * force;
+  h(0, 3) = h(3, 0) = -tension;
+  h(1, 2) = h(2, 1) = psi.shear.stiffness * turn_warp * turn_weft + tension;
+  return s.area * h;
 }
 
 /// Whether Cholesky's factor of a symmetric matrix exists.
@@ -145,23 +98,28 @@ bool is_definite(const Matrix4& symmetric) {
   return true;
 }
 
-Matrix4 definite_part(const Matrix4& symmetric) {
-  if (is_definite(symmetric)) return symmetric;
-  const Eigen::SelfAdjointEigenSolver<Matrix4> solver(symmetric);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
+/// Without its one negative eigenvalue, where it has no more: nearly always that of a turn of the triangle in the
+/// plane, found by Rayleigh's iteration from there.
+std::optional<Matrix4> without_turn(const Matrix4& symmetric) {
+  Vector4 v = Vector4(0, 1, -1, 0) * std::sqrt(0.5);
+  double value = v.dot(symmetric * v);
+  for (int round = 0; round < most_turns; ++round) {
+    const Vector4 next = (symmetric - value * Matrix4::Identity()).inverse() * v;
+    const double length = next.norm();
+    if (!std::isfinite(length) || !(length > 0)) break;
+    v = next / length;
+    value = v.dot(symmetric * v);
+  }
+  const bool found = (symmetric * v - value * v).norm() < 1e-9 * symmetric.norm();
+  if (!found || value >= 0 || !is_definite(symmetric - 2 * value * v * v.transpose())) return std::nullopt;
+  return symmetric - value * v * v.transpose();
 }
 
-/// K by the six coordinates: the gradients of the corners' shape functions.
-Eigen::Matrix<double, entries, 6> displacement_gradient(const PlaneCorners& uv) {
-  const MembraneShape shape = membrane_shape(uv);
-  Eigen::Matrix<double, entries, 6> b = Eigen::Matrix<double, entries, 6>::Zero();
-  for (int i = 0; i < 3; ++i) {
-    for (int component = 0; component < 2; ++component) {
-      b(2 * component, 2 * i + component) = shape.du[static_cast<std::size_t>(i)];
-      b(2 * component + 1, 2 * i + component) = shape.dv[static_cast<std::size_t>(i)];
-    }
-  }
-  return b;
+Matrix4 definite_part(const Matrix4& symmetric) {
+  if (is_definite(symmetric)) return symmetric;
+  if (const auto found = without_turn(symmetric)) return *found;
+  const Eigen::SelfAdjointEigenSolver<Matrix4> solver(symmetric);
+  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
 }
 
 }  // namespace
@@ -186,11 +144,13 @@ MembraneEnergy flattening_energy(const FabricLaw& law, const TargetTriangle& tar
   const FlatState s = flat_state(target, uv);
   const Densities psi = densities(law, s);
   if (gradient != nullptr) {
-    const Eigen::Vector3d force(psi.warp.force, psi.weft.force, psi.shear.force);
-    Vector4 by_displacement = strain_slopes(s, first_changes(s)) * force;
-    by_displacement[0] += psi.energy();
-    by_displacement[3] += psi.energy();
-    *gradient = s.area * displacement_gradient(uv).transpose() * by_displacement;
+    const Vector4 slope = s.area * slope_by_displacement(s, psi);
+    const MembraneShape shape = membrane_shape(uv);
+    for (int i = 0; i < 3; ++i) {
+      const double du = shape.du[static_cast<std::size_t>(i)], dv = shape.dv[static_cast<std::size_t>(i)];
+      (*gradient)[2 * i] = du * slope[0] + dv * slope[1];
+      (*gradient)[2 * i + 1] = du * slope[2] + dv * slope[3];
+    }
   }
   return {s.area * psi.warp.energy, s.area * psi.weft.energy, s.area * psi.shear.energy};
 }
@@ -200,8 +160,21 @@ Matrix6 flattening_hessian(const FabricLaw& law, const TargetTriangle& target, c
   const FlatState s = flat_state(target, uv);
   Matrix4 by_displacement = hessian_by_displacement(s, densities(law, s));
   if (curvature == Curvature::PositiveDefinite) by_displacement = definite_part(by_displacement);
-  const Eigen::Matrix<double, entries, 6> b = displacement_gradient(uv);
-  return b.transpose() * by_displacement * b;
+  // A corner's two coordinates change K by the gradient of its shape function: u the first row of K, v the second.
+  const MembraneShape shape = membrane_shape(uv);
+  Eigen::Matrix<double, entries, 6> by_corners;
+  for (int i = 0; i < 3; ++i) {
+    const double du = shape.du[static_cast<std::size_t>(i)], dv = shape.dv[static_cast<std::size_t>(i)];
+    by_corners.col(2 * i) = du * by_displacement.col(0) + dv * by_displacement.col(1);
+    by_corners.col(2 * i + 1) = du * by_displacement.col(2) + dv * by_displacement.col(3);
+  }
+  Matrix6 hessian;
+  for (int i = 0; i < 3; ++i) {
+    const double du = shape.du[static_cast<std::size_t>(i)], dv = shape.dv[static_cast<std::size_t>(i)];
+    hessian.row(2 * i) = du * by_corners.row(0) + dv * by_corners.row(1);
+    hessian.row(2 * i + 1) = du * by_corners.row(2) + dv * by_corners.row(3);
+  }
+  return hessian;
 }
 
 }  // namespace toile

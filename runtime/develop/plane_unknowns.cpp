@@ -1,6 +1,7 @@
 #include "runtime/develop/plane_unknowns.hpp"
 
 #include <algorithm>
+#include <numeric>
 
 #include "runtime/mesh/index.hpp"
 
@@ -15,6 +16,22 @@ std::vector<int> unknowns_of(const std::array<int, N>& points) {
     all.push_back(2 * point + 1);
   }
   return all;
+}
+
+/// Unknowns that do not hold the grain, in that order of the points.
+std::vector<int> numbered_free(const FlatteningInput& input, const std::vector<int>& points) {
+  std::vector<int> reduced(2 * input.start.size(), 0);
+  for (const FlatteningInput::GrainLine& line : input.grain) {
+    reduced[index(2 * line.from)] = reduced[index(2 * line.from + 1)] = -1;
+    reduced[index(2 * line.to + 1)] = -1;
+  }
+  int next = 0;
+  for (const int point : points) {
+    for (const int unknown : {2 * point, 2 * point + 1}) {
+      if (reduced[index(unknown)] == 0) reduced[index(unknown)] = next++;
+    }
+  }
+  return reduced;
 }
 
 }  // namespace
@@ -36,16 +53,22 @@ std::vector<int> plane_unknowns(const LengthMatch& match) {
 }
 
 std::vector<int> free_plane_unknowns(const FlatteningInput& input) {
-  std::vector<int> reduced(2 * input.start.size(), 0);
-  for (const FlatteningInput::GrainLine& line : input.grain) {
-    reduced[index(2 * line.from)] = reduced[index(2 * line.from + 1)] = -1;
-    reduced[index(2 * line.to + 1)] = -1;
+  std::vector<int> points(input.start.size());
+  std::iota(points.begin(), points.end(), 0);
+  return numbered_free(input, points);
+}
+
+std::vector<int> well_ordered_plane_unknowns(const FlatteningInput& input) {
+  std::vector<int> points(input.start.size());
+  std::iota(points.begin(), points.end(), 0);
+  std::vector<std::vector<int>> joined;
+  for (const auto& t : input.triangles) joined.push_back({t[0], t[1], t[2]});
+  for (const LengthMatch& match : input.matches) {
+    std::array<int, 4> ends = points_of(match);
+    std::sort(ends.begin(), ends.end());
+    joined.emplace_back(ends.begin(), std::unique(ends.begin(), ends.end()));
   }
-  int next = 0;
-  for (int& r : reduced) {
-    if (r == 0) r = next++;
-  }
-  return reduced;
+  return numbered_free(input, Cholesky().good_order(SparseMatrix(points, joined)));
 }
 
 std::vector<std::vector<int>> plane_elements(const FlatteningInput& input) {

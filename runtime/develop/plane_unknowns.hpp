@@ -14,6 +14,9 @@ std::vector<int> plane_unknowns(const std::array<int, 3>& triangle);
 std::vector<int> plane_unknowns(const LengthMatch& match);
 /// All but those that hold the grain, numbered for SparseMatrix.
 std::vector<int> free_plane_unknowns(const FlatteningInput& input);
+/// The same, numbered so that the factor is sparse as it comes (Cholesky::analyse_in_order): by the points' own graph,
+/// which has half as many rows.
+std::vector<int> well_ordered_plane_unknowns(const FlatteningInput& input);
 /// What the triangles and, after them, the matches couple.
 std::vector<std::vector<int>> plane_elements(const FlatteningInput& input);
 

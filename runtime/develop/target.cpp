@@ -87,7 +87,11 @@ class TargetFinder {
     const std::string at = fmt::format("piece `{}` at {}", drawn.drawn_name, place_text(place));
     if (times == 0) {
       target_.troubles.push_back(
-          {at + " lies beyond the body: nothing is met there", "keep the outline on the body", drawn.written});
+          drawn.chart->map == ChartSpec::Map::Conformal
+              ? Target::Trouble{at + " lies beyond the part of the body that its map shows",
+                                "give the map more reach, or keep the outline inside", drawn.written}
+              : Target::Trouble{at + " lies beyond the body: nothing is met there", "keep the outline on the body",
+                                drawn.written});
     } else {
       target_.troubles.push_back(
           {fmt::format("{} meets the body {} times: its chart is not one to one there", at, times),

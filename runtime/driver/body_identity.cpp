@@ -1,5 +1,6 @@
 #include <fmt/format.h>
 
+#include <array>
 #include <iterator>
 
 #include "runtime/driver/world.hpp"
@@ -57,6 +58,15 @@ std::string identity(const BodySpec& spec) {
   out.numbers(spec.shape.index(), spec.softness, spec.friction.value_or(-1));
   std::visit(ShapeWriter{out}, spec.shape);
   return out.take();
+}
+
+std::string identity(const ChartSpec& chart) {
+  Writer out;
+  const std::array<double, 3> nowhere{1e9, 1e9, 1e9}, centre = chart.centre.value_or(nowhere),
+                                                      pole = chart.pole.value_or(nowhere);
+  out.numbers(static_cast<int>(chart.map), chart.radius, chart.ease, chart.angle, chart.reach, chart.cut.value_or(1e9),
+              centre[0], centre[1], centre[2], pole[0], pole[1], pole[2]);
+  return out.take() + chart.line;
 }
 
 }  // namespace toile

@@ -43,6 +43,7 @@ struct Draped {
 /// A development: the pattern, and the cloth cut by it as it lies on the form.
 struct Developed {
   std::shared_ptr<const MadeGarment> drawn;  // in the charts
+  DraftGarment draft;                        // that it was made from
   Development development;
   Redrawn redrawn;
   Garment pattern;                     // as redrawn

@@ -1,9 +1,11 @@
 #include "runtime/driver/outputs.hpp"
 
+#include <algorithm>
 #include <array>
 #include <utility>
 
 #include "runtime/export/pattern_text.hpp"
+#include "runtime/fabric/law.hpp"
 #include "runtime/report/report.hpp"
 
 namespace toile {
@@ -71,7 +73,13 @@ std::optional<std::string> drape_file(const std::filesystem::path& path, const D
 }
 
 std::string development_report(const Developed& developed, const std::string& script) {
-  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn, developed.proposed);
+  const MadeGarment& drawn = *developed.drawn;
+  const int triangles =
+      static_cast<int>(drawn.mesh.p.triangles.size() / std::max<std::size_t>(1, drawn.garment.pieces.size()));
+  const DevelopmentStudies studies{study_grain(drawn.mesh, make_law(drawn.garment.fabric), developed.development, {}),
+                                   without_each_dart(developed.draft, *developed.on_form.body, triangles, {})};
+  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn, developed.proposed,
+                     studies);
 }
 
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,

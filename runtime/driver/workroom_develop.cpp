@@ -51,6 +51,8 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   if (!developed.drawn) return std::nullopt;
   developed.on_form.body = body(command.body, command.written);
   if (!developed.on_form.body) return std::nullopt;
+  developed.draft = program_->drafts()[static_cast<std::size_t>(command.garment)];
+  developed.draft.fabric = developed.drawn->garment.fabric;
   if (command.strain && target(*developed.drawn, *developed.on_form.body)) propose_darts(command, developed);
   if (interrupted()) return std::nullopt;
   const Garment& garment = developed.drawn->garment;
@@ -73,8 +75,7 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
 }
 
 void Workroom::propose_darts(const DevelopCommand& command, Developed& developed) {
-  DraftGarment draft = program_->drafts()[static_cast<std::size_t>(command.garment)];
-  draft.fabric = developed.drawn->garment.fabric;
+  const DraftGarment& draft = developed.draft;
   const int triangles = options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
   DartProposal proposal;
   {
@@ -92,6 +93,7 @@ void Workroom::propose_darts(const DevelopCommand& command, Developed& developed
   made->mesh = sew(made->garment, made->mesh_options);
   made->cloth = make_cloth(made->mesh);
   developed.drawn = made;
+  developed.draft = std::move(proposal.draft);
   developed.proposed = std::move(proposal.darts);
 }
 

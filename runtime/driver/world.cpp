@@ -1,5 +1,6 @@
 #include "runtime/driver/world.hpp"
 
+#include "runtime/develop/drawn_lines.hpp"
 #include "runtime/driver/files.hpp"
 #include "stdlib/stdlib.hpp"
 
@@ -36,6 +37,22 @@ std::variant<std::vector<BodyLineFacts>, std::string> FileWorld::measure(const B
     facts.push_back({line.name, line.girth, level});
   }
   return facts;
+}
+
+std::variant<ChartAnswer, std::string> FileWorld::charted(const BodySpec& spec, const ChartSpec& chart,
+                                                          const ChartQuestion& question) {
+  std::string error;
+  const std::shared_ptr<const Body> made = body(spec, error);
+  if (!made) return error;
+  std::unique_ptr<BodyChart>& drawn_in = charts_[identity(spec) + '/' + identity(chart)];
+  if (!drawn_in) drawn_in = std::make_unique<BodyChart>(*made, chart, error);
+  if (!error.empty()) {
+    drawn_in.reset();
+    return error;
+  }
+  ChartAnswer found = answer(question, *made, *drawn_in, error);
+  if (!error.empty()) return error;
+  return found;
 }
 
 std::shared_ptr<const Body> FileWorld::body(const BodySpec& spec, std::string& error) {

@@ -11,6 +11,7 @@
 
 #include "compiler/evaluate/program.hpp"
 #include "runtime/body/body.hpp"
+#include "runtime/develop/chart.hpp"
 
 namespace toile {
 
@@ -24,6 +25,8 @@ class FileWorld final : public World {
   std::optional<std::string> module(const std::string& name) override;
   std::vector<std::string> module_names() override;
   std::variant<std::vector<BodyLineFacts>, std::string> measure(const BodySpec& spec) override;
+  std::variant<ChartAnswer, std::string> charted(const BodySpec& spec, const ChartSpec& chart,
+                                                 const ChartQuestion& question) override;
 
   /// The body's surface, made once for equal specifications; null with the reason in `error`.
   std::shared_ptr<const Body> body(const BodySpec& spec, std::string& error);
@@ -44,9 +47,11 @@ class FileWorld final : public World {
   std::filesystem::path script_;
   bool missed_a_file_ = false;
   std::map<std::string, Made> bodies_;
+  std::map<std::string, std::unique_ptr<BodyChart>> charts_;  // that were asked
 };
 
 /// Text that is the same for two specifications exactly when they describe the same body.
 std::string identity(const BodySpec& spec);
+std::string identity(const ChartSpec& chart);
 
 }  // namespace toile

@@ -2,7 +2,6 @@
 
 #include <nlohmann/json.hpp>
 
-#include "runtime/develop/darts.hpp"
 #include "runtime/develop/redraw.hpp"
 #include "runtime/export/json_layout.hpp"
 #include "runtime/report/summary.hpp"
@@ -99,6 +98,32 @@ Json json(const std::vector<ProposedDart>& proposed) {
   return all;
 }
 
+Json without_each(const std::vector<ProposedDart>& darts) {
+  Json all = Json::array();
+  for (const ProposedDart& each : darts) {
+    all.push_back({{"piece", each.piece},
+                   {"dart", each.dart.name},
+                   {"energy_J", {{"with", each.with.energy}, {"without", each.without.energy}}},
+                   {"strain_p95", {{"with", each.with.p95}, {"without", each.without.p95}}}});
+  }
+  return all;
+}
+
+/// A row a turn of the grain.
+Json json(const GrainStudy& study) {
+  Json rows = Json::array();
+  for (std::size_t i = 0; i < GrainStudy::turns.size(); ++i) {
+    Json energies = Json::object();
+    for (std::size_t j = 0; j < GrainStudy::turns.size(); ++j) {
+      energies["developed_for_" + std::to_string(static_cast<int>(GrainStudy::turns[j]))] = study.energy[i][j];
+    }
+    rows.push_back({{"grain_turned_deg", GrainStudy::turns[i]},
+                    {"energy_J_of_the_pattern", energies},
+                    {"its_own_pattern_apart_m", study.apart[i]}});
+  }
+  return rows;
+}
+
 std::string text(const Json& root) {
   return laid_out(root.dump(-1, ' ', false, Json::error_handler_t::replace));
 }
@@ -120,7 +145,8 @@ std::string report_json(const std::string& script, const DrapedGarment& draped) 
 }
 
 std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
-                        const Redrawn& redrawn, const std::vector<ProposedDart>& proposed) {
+                        const Redrawn& redrawn, const std::vector<ProposedDart>& proposed,
+                        const DevelopmentStudies& studies) {
   const Summary summary = summarise(on_form);
   const Flattened& flat = development.flat;
   return text({{"schema", 1},
@@ -145,7 +171,9 @@ std::string report_json(const std::string& script, const DrapedGarment& on_form,
                  {"seam_mismatch_m", flat.mismatch},
                  {"outline_error_m", redrawn.error},
                  {"darts", darts(on_form, development)},
-                 {"darts_proposed", json(proposed)}}}});
+                 {"without_each_dart", without_each(studies.darts)},
+                 {"darts_proposed", json(proposed)},
+                 {"grain", json(studies.grain)}}}});
 }
 
 std::string profile_json(const Profile& profile) {

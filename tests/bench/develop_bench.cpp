@@ -17,6 +17,7 @@
 #include "runtime/develop/chart.hpp"
 #include "runtime/develop/flatten.hpp"
 #include "runtime/develop/flattening.hpp"
+#include "tests/support/hemisphere.hpp"
 
 namespace toile {
 namespace {
@@ -120,6 +121,8 @@ FlatteningInput patch(int which, int n) {
       return on_form({0.16, 0.88}, 0.07, n);  // hip
     case 3:
       return on_form({0.16, 1.33}, 0.05, n);  // shoulder
+    case 4:
+      return test::hemisphere_with_darts(0.15, 8, n, n / 8, n / 4);
     default:
       return half_ellipsoid(n);
   }
@@ -146,7 +149,7 @@ int flips(const FlatteningInput& input, const std::vector<Vec2>& uv) {
 }
 
 void label(benchmark::State& state) {
-  constexpr std::array<const char*, 4> names{"half ellipsoid", "bust", "hip", "shoulder"};
+  constexpr std::array<const char*, 5> names{"half ellipsoid", "bust", "hip", "shoulder", "hemisphere, 8 darts"};
   state.SetLabel(names[static_cast<std::size_t>(state.range(0))]);
 }
 
@@ -160,6 +163,7 @@ void develop(benchmark::State& state) {
   state.counters["energy_J"] = flat.energy.warp + flat.energy.weft + flat.energy.shear;
   state.counters["flips"] = flat.flipped;
   state.counters["iterations"] = flat.iterations;
+  state.counters["factors"] = flat.factorisations;
   state.counters["residual"] = flat.residual_relative;
   label(state);
 }
@@ -201,8 +205,10 @@ void arap(benchmark::State& state) {
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
-  for (const int n : {16, 26, 58, 129}) bench->Args({0, n});
-  for (const int which : {1, 2, 3}) bench->Args({which, 26});
+  for (const int which : {0, 1, 2, 3}) {
+    for (const int n : {16, 26, 58, 129}) bench->Args({which, n});
+  }
+  bench->Args({4, 32});
   bench->Unit(benchmark::kMillisecond);
 }
 BENCHMARK(develop)->Apply(sizes);

@@ -21,6 +21,9 @@ struct BareWorld final : World {
     return std::nullopt;
   }
   std::vector<std::string> module_names() override { return {"blocks", "bodies", "fabrics", "prints", "sizing"}; }
+  std::variant<ChartAnswer, std::string> charted(const BodySpec&, const ChartSpec&, const ChartQuestion&) override {
+    return std::string("no bodies here");
+  }
   std::variant<std::vector<BodyLineFacts>, std::string> measure(const BodySpec&) override {
     return std::vector<BodyLineFacts>{{"left_armhole", 0.4, 1.3}, {"right_armhole", 0.4, 1.3}};
   }

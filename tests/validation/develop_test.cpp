@@ -7,6 +7,7 @@
 
 #include "runtime/drape/drape.hpp"
 #include "tests/support/flat_region.hpp"
+#include "tests/support/hemisphere.hpp"
 #include "tests/support/sheet.hpp"
 
 namespace toile {
@@ -176,6 +177,36 @@ TEST(DevelopGores, FallWithTheFourthPowerOfTheirNumber) {
     integral += std::pow(pi * radius / 48 * std::cos(2.4 * ((i + 0.5) / steps - 0.5)), 5) * 2.4 * radius / steps;
   }
   EXPECT_NEAR(many / (48 * modulus * integral / (45 * std::pow(radius, 4))), 1, 0.03);
+}
+
+/// n darts make a hemisphere n gores that hang together about the pole. As they become slender they come to have the
+/// sum of their strips' energies, as above, which falls with the fourth power of n.
+TEST(DevelopHemisphere, WithManyDartsHasTheEnergyOfItsGores) {
+  const double radius = 0.15;
+  double before = 0, share_before = 0;
+  for (const int n : {8, 16, 32}) {
+    const int rings = n > 16 ? 96 : 48;
+    FlatteningInput input = test::hemisphere_with_darts(radius, n, rings, rings / n, n > 8 ? 12 : 16);
+    input.matches.clear();  // both sides of a dart are alike by themselves
+    const Flattened flat = solve(input, isotropic(modulus));
+    double integral = 0;  // of w^5 over the meridian
+    const int steps = 1000;
+    for (int i = 0; i < steps; ++i) {
+      const double off = pi / 2 * (i + 0.5) / steps;
+      integral += std::pow(pi * radius / n * std::sin(off), 5) * pi / 2 * radius / steps;
+    }
+    const double share = total(flat) / (n * modulus * integral / (45 * std::pow(radius, 4)));
+    const double power = before > 0 ? std::log2(before / total(flat)) : 0;
+    std::printf("hemisphere: %d darts leave %.4g J, %.3f of the slender gores'; the power is %.2f\n", n, total(flat),
+                share, power);
+    EXPECT_GT(share, share_before);
+    if (n == 32) {
+      EXPECT_NEAR(share, 1, 0.05);
+      EXPECT_GT(power, 3.6);
+    }
+    before = total(flat);
+    share_before = share;
+  }
 }
 
 /// The same cap in a cloth that is firm along the warp and soft across, with its grain at three angles: three patterns,

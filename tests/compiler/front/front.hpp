@@ -48,6 +48,12 @@ class FakeWorld : public World {
     }
     return lines;
   }
+  /// Everything is where it is drawn, and lines are straight.
+  std::variant<ChartAnswer, std::string> charted(const BodySpec&, const ChartSpec&,
+                                                 const ChartQuestion& question) override {
+    const bool has_ends = question.kind == ChartQuestion::Kind::Geodesic;
+    return ChartAnswer{{}, has_ends ? line(question.from, question.to) : line({0, 0}, {0.1, 0})};
+  }
 };
 
 /// A loaded script with its world.
