@@ -251,6 +251,7 @@ struct Dart : ViewOf<Kind::Dart> {
 };
 
 struct Notch : ViewOf<Kind::Notch> {
+  std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Position> position() const { return child<Position>(*this); }
 };
 

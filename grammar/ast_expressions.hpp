@@ -92,7 +92,7 @@ struct Tuple : ViewOf<Kind::Tuple> {
   std::vector<Expr> parts() const { return all<Expr>(*this); }
 };
 
-/// `(waist: 68cm, hip: 94cm)`: every field has its name.
+/// `(waist: 68cm, hip: 94cm)`: every field has its name. `(waist: 68cm, m...)`: the others are those of `m`.
 struct RecordLiteral : ViewOf<Kind::RecordLiteral> {
   std::vector<Argument> fields() const { return all<Argument>(*this); }
 };

@@ -157,9 +157,10 @@ struct named_next {
   }
 };
 struct record_field : node<Kind::Argument, any_name, sign<Kind::Colon>, more, expression> {};
-struct record : pegtl::seq<named_next,
-                           node<Kind::RecordLiteral, bracketed<Kind::LeftParen, Kind::RightParen, record_field,
-                                                               pegtl::star<comma, record_field>, pegtl::opt<comma>>>> {
+struct record_part : pegtl::sor<record_field, node<Kind::Argument, expression, sign<Kind::Ellipsis>>> {};
+struct record
+    : pegtl::seq<named_next, node<Kind::RecordLiteral, bracketed<Kind::LeftParen, Kind::RightParen, record_field,
+                                                                 pegtl::star<comma, record_part>, pegtl::opt<comma>>>> {
 };
 
 struct primary

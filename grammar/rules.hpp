@@ -159,9 +159,9 @@ struct outline : statement<Kind::Outline, word<Kind::KwOutline>, to_block<edges>
 struct hole : statement<Kind::Hole, word<Kind::KwHole>, to_block<edges>, pegtl::opt<name_before<Kind::KwFrom>>,
                         with_value<Kind::KwFrom>, edges, at_end<>> {};
 /// `line` is a word of edges, too, which in a varied piece may stand alone.
-struct inner_line_word : pegtl::seq<word<Kind::KwLine>, pegtl::not_at<sign<Kind::Assign>>> {};
-struct inner_line : statement<Kind::InnerLine, inner_line_word, to_block<edges>, any_name, with_value<Kind::KwFrom>,
-                              edges, at_end<>> {};
+struct inner_line_word : pegtl::seq<word<Kind::KwLine>, pegtl::not_at<pegtl::star<pegtl::blank>, pegtl::one<'='>>> {};
+struct inner_line : statement<Kind::InnerLine, inner_line_word, to_block<edges>, name_before<Kind::KwFrom>,
+                              with_value<Kind::KwFrom>, edges, at_end<>> {};
 
 /// `side[3]` of what a `for` has made.
 struct which : node<Kind::Which, bracketed<Kind::LeftBracket, Kind::RightBracket, expression>> {};
@@ -187,7 +187,7 @@ struct on_edge : pegtl::seq<word<Kind::KwAt>, position> {};
 struct inside : pegtl::seq<with_value<Kind::KwFrom>, with_value<Kind::KwTo>> {};
 struct dart : statement<Kind::Dart, word<Kind::KwDart>, to_block<details>, dart_name, pegtl::sor<inside, on_edge>,
                         details, at_end<>> {};
-struct notch : line<Kind::Notch, word<Kind::KwNotch>, on_edge> {};
+struct notch : line<Kind::Notch, word<Kind::KwNotch>, pegtl::opt<name_before<Kind::KwAt>>, on_edge> {};
 struct share_of_dart : pegtl::sor<pegtl::seq<any_name, pegtl::at<word<Kind::KwTo>>>, position> {};
 struct pivot : line<Kind::Pivot, word<Kind::KwPivot>, share_of_dart, word<Kind::KwTo>, position,
                     pegtl::opt<word<Kind::KwAs>, any_name>> {};

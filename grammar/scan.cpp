@@ -31,7 +31,7 @@ class Skipper {
   bool stops(std::uint32_t at) const {
     if (at < mistake_) return false;
     const char c = text_[at];
-    if (c == '\n' && new_statement(at + 1)) return true;
+    if (c == '\n' && (new_statement(at + 1) || opened_nothing(at))) return true;
     if (braces_ > 0) return false;
     if (c == '}' || (c == '{' && to_ == SkipTo::Block)) return true;
     return brackets_ == 0 && (c == '\n' || (c == ',' && to_ == SkipTo::Comma));
@@ -44,7 +44,7 @@ class Skipper {
     if (comment_at(text_, at)) return line_end(text_, at);
     if (c == '(' || c == '[') ++brackets_;
     if ((c == ')' || c == ']') && brackets_ > 0) --brackets_;
-    if (c == '{') ++braces_;
+    if (c == '{' && braces_++ == 0) brace_ = at;
     if (c == '}' && braces_ > 0) --braces_;
     return at + 1;
   }
@@ -58,11 +58,24 @@ class Skipper {
     return keyword && (braces_ == 0 || (statement_word(*keyword) & file_words) != 0);
   }
 
+  // A brace at the end of its line with nothing behind it that is indented deeper: it slipped in.
+  bool opened_nothing(std::uint32_t line_break) const {
+    if (braces_ != 1 || skip_blanks(text_, brace_ + 1) != line_break) return false;
+    const std::uint32_t next = skip_lines(text_, line_break);
+    const auto column = [&](std::uint32_t at) {
+      const std::size_t before = at == 0 ? std::string_view::npos : text_.rfind('\n', at - 1);
+      const std::size_t line = before == std::string_view::npos ? 0 : before + 1;
+      return std::min(text_.find_first_not_of(" \t", line), text_.size()) - line;
+    };
+    return next < text_.size() && text_[next] != '}' && column(next) <= column(brace_);
+  }
+
   std::string_view text_;
   std::uint32_t mistake_;
   SkipTo to_;
   int brackets_ = 0;
   int braces_ = 0;
+  std::uint32_t brace_ = 0;  // the outermost of those that are open
 };
 
 }  // namespace

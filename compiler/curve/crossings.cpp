@@ -2,6 +2,7 @@
 // until they stray by no more than a nanometre, and the places found are refined by Newton's method on the exact
 // curves.
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <optional>
 
@@ -44,16 +45,17 @@ struct Part {
 
 std::vector<Part> parts_of(const Curve& curve) {
   std::vector<Part> parts;
-  double arc = 0;
-  for (const Segment& segment : curve.segments()) {
-    std::vector<double> cuts = monotone_cuts(segment);
-    cuts.push_back(1);
-    double before = 0;
+  parts.reserve(curve.segments().size());
+  for (std::size_t i = 0; i < curve.segments().size(); ++i) {
+    const Segment& segment = curve.segments()[i];
+    const std::vector<double> cuts = monotone_cuts(segment);
+    double arc = curve.start_of(i), before = 0;
     for (const double cut : cuts) {
       parts.emplace_back(segment, before, cut, arc);
       arc += length_between(segment, before, cut);
       before = cut;
     }
+    parts.emplace_back(segment, before, 1, arc);
   }
   return parts;
 }
@@ -77,32 +79,47 @@ bool boxes_apart(const Part& a, const Part& b) {
 
 // The directions in which a part lies as seen from `p`, one of its ends: its control points but that end. Those of an
 // arc are where the tangents at its ends meet, and the other end.
-std::vector<Vec2> directions_from(const Part& seen, Vec2 p) {
-  std::vector<Vec2> points{seen.from, seen.to};
-  const Segment whole = part(*seen.segment, seen.t0, seen.t1);
-  if (const auto* b = std::get_if<BezierSegment>(&whole)) points = {b->p0, b->p1, b->p2, b->p3};
-  if (const auto* a = std::get_if<ArcSegment>(&whole)) {
-    const double half = a->sweep / 2;
-    points.push_back(a->centre + a->radius / std::cos(half) * direction(a->start + half));
+class Directions {
+ public:
+  Directions(const Part& seen, Vec2 p) : p_(p) {
+    const Segment whole = part(*seen.segment, seen.t0, seen.t1);
+    if (const auto* b = std::get_if<BezierSegment>(&whole)) {
+      for (const Vec2 point : {b->p0, b->p1, b->p2, b->p3}) add(point);
+      return;
+    }
+    add(seen.from);
+    add(seen.to);
+    if (const auto* a = std::get_if<ArcSegment>(&whole)) {
+      const double half = a->sweep / 2;
+      add(a->centre + a->radius / std::cos(half) * direction(a->start + half));
+    }
   }
-  std::vector<Vec2> directions;
-  for (const Vec2 point : points) {
-    const double away = distance(point, p);
-    if (away > kTouch) directions.push_back((point - p) / away);
+
+  const Vec2* begin() const { return directions_.data(); }
+  const Vec2* end() const { return directions_.data() + count_; }
+  std::size_t size() const { return count_; }
+
+ private:
+  void add(Vec2 point) {
+    const double away = distance(point, p_);
+    if (away > kTouch) directions_[count_++] = (point - p_) / away;
   }
-  return directions;
-}
+
+  Vec2 p_;
+  std::array<Vec2, 4> directions_;
+  std::size_t count_ = 0;
+};
 
 // Two parts that follow on each other meet nowhere but there when a line through that place parts them. So it is at
 // nearly every corner and joint, and the search would halve its way down to it.
 bool parted_at_joint(const Part& a, const Part& b) {
   const Vec2 p = a.to;
   if (distance(p, b.from) > 1e-12) return false;
-  const std::vector<Vec2> before = directions_from(a, p), after = directions_from(b, p);
+  const Directions before(a, p), after(b, p);
   Vec2 across{0, 0};
   for (const Vec2 d : before) across = across + d / static_cast<double>(before.size());
   for (const Vec2 d : after) across = across - d / static_cast<double>(after.size());
-  if (before.empty() || after.empty() || norm(across) < 1e-3) return false;
+  if (before.size() == 0 || after.size() == 0 || norm(across) < 1e-3) return false;
   const double margin = 1e-6 * norm(across);
   return std::ranges::all_of(before, [&](Vec2 d) { return dot(d, across) > margin; }) &&
          std::ranges::all_of(after, [&](Vec2 d) { return dot(d, across) < -margin; });
@@ -161,6 +178,7 @@ class Search {
   explicit Search(Shared shared) : shared_(shared) {}
 
   void pair(const Part& first, const Part& second) {
+    if (boxes_apart(first, second)) return;
     std::vector<std::pair<Part, Part>> waiting{{first, second}};
     for (int step = 0; step < kMostSteps && !waiting.empty() && found_.size() < kMostCrossings; ++step) {
       const auto [a, b] = waiting.back();

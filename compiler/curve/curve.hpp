@@ -37,6 +37,8 @@ class Curve {
   const std::vector<Segment>& segments() const { return segments_; }
   bool empty() const { return segments_.empty(); }
   double length() const;
+  /// The arc length [m] at which the i-th segment starts.
+  double start_of(std::size_t segment) const { return segment == 0 ? 0 : ends_[segment - 1]; }
   Vec2 start() const;
   Vec2 end() const;
   /// The point after the arc length `s` [m], clamped to the curve.

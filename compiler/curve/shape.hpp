@@ -1,6 +1,7 @@
 // Curves made from points and from other curves.
 #pragma once
 
+#include <array>
 #include <optional>
 #include <vector>
 
@@ -26,6 +27,11 @@ Curve extended(const Curve& curve, double before, double after);
 /// arcs stay what they are, Béziers are met within a micrometre. Nothing when all of it is cut off, or when what is
 /// left is not one curve.
 std::optional<Curve> offset(const Curve& curve, double distance);
+
+/// The corner where the second curve goes on from the first, rounded by an arc of that radius [m] which touches both:
+/// what is left of the first, the arc, what is left of the second. Nothing where no such arc fits, or where there is no
+/// corner.
+std::optional<std::array<Curve, 3>> fillet(const Curve& first, const Curve& second, double radius);
 
 /// The curve with the same ends, but of that length [m]. A Bézier keeps the directions at its ends, an arc becomes one
 /// of another radius, a closed curve is scaled about its start; any other chain is stretched across the line between

@@ -2,6 +2,7 @@
 
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <string_view>
 
@@ -152,8 +153,21 @@ bool compare(Kind op, double a, double b) {
   }
 }
 
+const Value* field_called(const RecordValue& record, const std::string& name) {
+  const auto found = std::ranges::find(*record.fields, name, &RecordValue::Field::name);
+  return found == record.fields->end() ? nullptr : &found->value;
+}
+
 /// Whether two known values of the same kind are the same.
 bool equal(const Value& a, const Value& b) {
+  if (const auto* left = a.as<ListValue>()) {
+    return std::ranges::equal(*left->items, *b.as<ListValue>()->items, equal);
+  }
+  if (const auto* left = a.as<RecordValue>()) {
+    return std::ranges::all_of(*left->fields, [&](const RecordValue::Field& field) {
+      return equal(field.value, *field_called(*b.as<RecordValue>(), field.name));
+    });
+  }
   if (const auto* left = a.as<Quantity>()) return left->si == b.as<Quantity>()->si;
   if (const auto* left = a.as<Truth>()) return left->value == b.as<Truth>()->value;
   if (const auto* left = a.as<Text>()) return left->value == b.as<Text>()->value;
@@ -167,13 +181,34 @@ bool has_equality(const Value& value) {
          value.as<Colour>() != nullptr || is_vector(value);
 }
 
+/// Whether it can be asked if they are the same: values of one kind, lists of such, records with the same names.
+bool are_comparable(const Value& a, const Value& b) {
+  if (a.unknown() || b.unknown()) return true;
+  if (a.kind() != b.kind()) return false;
+  if (const auto* left = a.as<ListValue>()) {
+    const auto& right = *b.as<ListValue>()->items;
+    return left->items->empty() || right.empty() || are_comparable(left->items->front(), right.front());
+  }
+  if (const auto* left = a.as<RecordValue>()) {
+    const auto* right = b.as<RecordValue>();
+    return left->fields->size() == right->fields->size() &&
+           std::ranges::all_of(*left->fields, [&](const RecordValue::Field& field) {
+             const Value* other = field_called(*right, field.name);
+             return other != nullptr && are_comparable(field.value, *other);
+           });
+  }
+  return has_equality(a) && dimension_of(a) == dimension_of(b);
+}
+
 Value comparison(Session& session, Kind op, const Operand& left, const Operand& right) {
   const bool known = left.value.known() && right.value.known();
   const bool equality = op == Kind::Equal || op == Kind::NotEqual;
   const auto* a = left.value.as<Quantity>();
   const auto* b = right.value.as<Quantity>();
-  const bool fits =
-      equality ? left.value.kind() == right.value.kind() && has_equality(left.value) : a != nullptr && b != nullptr;
+  const bool compound = left.value.as<ListValue>() != nullptr || left.value.as<RecordValue>() != nullptr;
+  const bool alike = compound && are_comparable(left.value, right.value);
+  const bool fits = equality ? left.value.kind() == right.value.kind() && (has_equality(left.value) || alike)
+                             : a != nullptr && b != nullptr;
   if (!fits) return wrong_operands(session, op, left, right);
   if (dimension_of(left.value) != dimension_of(right.value)) return wrong_dimensions(session, op, left, right);
   if (!known) return {Truth{}, false};

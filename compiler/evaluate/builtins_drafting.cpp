@@ -169,6 +169,20 @@ Value with_length(const BuiltinCall& call) {
   return curve_or_nothing(lengthened(call.session, call.curve(0), call.si(1), call.place(1)));
 }
 
+/// Two curves with the corner between them rounded.
+Value rounded_corner(const BuiltinCall& call) {
+  if (!call.known) return list_value({some_curve(), some_curve(), some_curve()}, false);
+  constexpr double same = 1e-6;  // [m]
+  if (call.si(2) <= 0) return call.refuse("E0208", "a radius must be positive", 2);
+  if (distance(call.curve(0).end(), call.curve(1).start()) > same) {
+    return call.refuse("E0211", "the second curve does not begin where the first one ends", 1);
+  }
+  if (const auto parts = fillet(call.curve(0), call.curve(1), call.si(2))) {
+    return list_value({curve_value((*parts)[0]), curve_value((*parts)[1]), curve_value((*parts)[2])});
+  }
+  return call.refuse("E0209", "no arc of this radius touches both curves beside their corner", 2);
+}
+
 Value split(const BuiltinCall& call) {
   if (!call.known) return list_value({some_curve()}, false);
   const Curve& curve = call.curve(0);
@@ -215,6 +229,7 @@ std::vector<Builtin> drafting_builtins() {
       {"extend", {along, {"before", Length, true}, {"after", Length, true}}, prolonged},
       {"offset", {along, {"by", Length}}, beside},
       {"with_length", {along, {"length", Length}}, with_length},
+      {"fillet", {{"first", Want::Curve}, {"second", Want::Curve}, {"radius", Length}}, rounded_corner},
       {"split", {along, {"at", Place}}, split, true},
   };
 }

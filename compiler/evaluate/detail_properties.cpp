@@ -18,6 +18,7 @@ std::optional<std::string> DetailProperties::name(const syntax::Property& proper
     possible.insert(possible.end(), words_.begin(), words_.end());
     report_unknown(session_, module_, *token, fmt::format("a {} has no `{}`", owner_, found), possible, "E0103");
     good_ = false;
+    misspelt_ = true;
     return std::nullopt;
   }
   if (!sizes_.try_emplace(found).second) {
@@ -42,7 +43,7 @@ bool DetailProperties::complete(std::initializer_list<const char*> needed, Span 
   for (const char* name : needed) {
     if (has(name)) continue;
     good_ = false;
-    if (module_.broken(span)) continue;
+    if (module_.broken(span) || misspelt_) continue;
     session_.report.add(
         Problem("E0310", fmt::format("the {} does not tell its {}", owner_, name)).at(module_.at(span)).help(help));
   }

@@ -34,6 +34,7 @@ class DetailProperties {
   std::vector<std::string> known_, words_;
   std::map<std::string, std::optional<double>> sizes_;
   bool good_ = true;
+  bool misspelt_ = false;  // a property: what seems to be missing may be meant by it
 };
 
 }  // namespace toile

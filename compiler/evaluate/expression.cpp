@@ -220,8 +220,9 @@ class Evaluation {
   Value record(const syntax::RecordLiteral& expr) {
     std::vector<RecordValue::Field> fields;
     std::map<std::string, Location> places;
+    bool sound = true;
     for (const syntax::Argument& written : expr.fields()) {
-      if (!written.name()) continue;
+      if (written.spread() || !written.name()) continue;
       std::string text = session_.name_of(module_, written.name());
       const Location place = at(*written.name());
       const auto [earlier, is_new] = places.try_emplace(text, place);
@@ -233,7 +234,28 @@ class Evaluation {
       }
       fields.push_back({std::move(text), value(written.value())});
     }
-    return record_value(std::move(fields));
+    for (const syntax::Argument& written : expr.fields()) {
+      if (written.spread()) sound = add_fields_of(written, fields) && sound;
+    }
+    return sound ? record_value(std::move(fields)) : Value{};
+  }
+
+  /// Those of another record that are not there yet.
+  bool add_fields_of(const syntax::Argument& written, std::vector<RecordValue::Field>& fields) {
+    const Value other = value(written.value());
+    if (other.unknown()) return false;
+    const auto* record = other.as<RecordValue>();
+    if (record == nullptr) {
+      session_.report.add(
+          Problem("E0202", "only a record's values are taken over by `...`, and this is " + describe(other))
+              .at(at(written), describe(other)));
+      return false;
+    }
+    for (const RecordValue::Field& field : *record->fields) {
+      const auto same = [&](const RecordValue::Field& own) { return own.name == field.name; };
+      if (std::ranges::none_of(fields, same)) fields.push_back(field);
+    }
+    return true;
   }
 
   Value list(const syntax::List& expr) {

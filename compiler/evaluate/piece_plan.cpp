@@ -148,6 +148,8 @@ void PiecePlanner::apply(PieceInstance& piece) {
   OwnDetails own(plan);
   std::vector<syntax::Inner> own_inner;
   std::map<std::string, Location> own_lets;
+  std::map<std::string, Location> said;
+  const auto once = [&](const syntax::View& item, const char* what) { return say_once(piece, said, item, what); };
   if (const auto on = piece.written.on()) plan.on = on;
   for (const syntax::View item : syntax::items(piece.written)) {
     if (const auto let = syntax::as<syntax::Let>(item)) {
@@ -160,23 +162,23 @@ void PiecePlanner::apply(PieceInstance& piece) {
       }
       take_solve(session_, module, plan, *solve);
     } else if (const auto outline = syntax::as<syntax::Outline>(item)) {
-      vary_outline(piece, *outline);
+      if (!outline->origin() || once(item, "outline")) vary_outline(piece, *outline);
     } else if (const auto edge = syntax::as<syntax::Edge>(item)) {
       take_edge(piece, *edge);
     } else if (const auto inner = syntax::as<syntax::Inner>(item)) {
       own_inner.push_back(*inner);
     } else if (const auto fold = syntax::as<syntax::Fold>(item)) {
-      plan.fold = fold;
+      if (once(item, "fold")) plan.fold = fold;
     } else if (const auto cut = syntax::as<syntax::Cut>(item)) {
-      plan.cut = cut;
+      if (once(item, "cut")) plan.cut = cut;
     } else if (const auto grain = syntax::as<syntax::Grain>(item)) {
-      plan.grain = grain;
+      if (once(item, "grain")) plan.grain = grain;
     } else if (const auto repeat = syntax::as<syntax::Repeat>(item)) {
       for (const syntax::View detail : syntax::items(*repeat)) own.take(detail, repeat->values());
     } else if (const auto allowance = syntax::as<syntax::Allowance>(item)) {
-      plan.allowance = allowance;
+      if (once(item, "allowance")) plan.allowance = allowance;
     } else if (const auto label = syntax::as<syntax::Label>(item)) {
-      plan.label = label;
+      if (once(item, "label")) plan.label = label;
     } else if (item.kind() != syntax::Kind::Allow) {
       own.take(item, std::nullopt);
     }
@@ -184,6 +186,19 @@ void PiecePlanner::apply(PieceInstance& piece) {
   // Two holes or lines of one name in one block stay two, for the definition of names to notice.
   std::erase_if(plan.inner, [&](const syntax::Inner& each) { return is_among(session_, module, own_inner, each); });
   plan.inner.insert(plan.inner.end(), own_inner.begin(), own_inner.end());
+}
+
+bool PiecePlanner::say_once(PieceInstance& piece, std::map<std::string, Location>& said, const syntax::View& item,
+                            const char* what) {
+  const Location at = garment_.scope->module().at(item);
+  const auto [earlier, fresh] = said.try_emplace(what, at);
+  if (fresh) return true;
+  piece.sound = false;
+  session_.report.add(Problem("E0102", fmt::format("piece `{}` says its {} twice", piece.name, what))
+                          .at(at, "said again here")
+                          .also(earlier->second, "first said here")
+                          .help("leave one of them out"));
+  return false;
 }
 
 void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& outline) {

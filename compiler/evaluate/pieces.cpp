@@ -300,10 +300,18 @@ class PieceDrafter {
     const auto width = wanted_.not_negative(allowance.width(), dimension::length, what);
     if (width) draft_.allowances.push_back({"", *width, module_.at(allowance), corner_of(allowance.corner())});
     if (!width) fail();
+    std::map<std::string, Location> told;
     for (const syntax::EdgeAllowance& exception : allowance.exceptions()) {
       const auto line = named_edge(session_, piece_, *piece_.scope, draft_, exception);
       const auto own = wanted_.not_negative(exception.width(), dimension::length, what);
       if (!own || !line) fail();
+      const auto [earlier, fresh] = told.try_emplace(line.value_or(""), module_.at(exception));
+      if (line && !fresh) {
+        fail();
+        session_.report.add(Problem("E0102", fmt::format("the allowance of `{}` is told twice", *line))
+                                .at(module_.at(exception), "told again here")
+                                .also(earlier->second, "first told here"));
+      }
       if (line && own) {
         draft_.allowances.push_back({*line, *own, module_.at(exception), corner_of(exception.corner())});
       }
@@ -323,6 +331,30 @@ class PieceDrafter {
   DraftPiece draft_;
 };
 
+/// The name of a notch stands for its place: the point where it is drawn.
+void define_notch(Session& session, PieceInstance& piece, const syntax::Notch& notch) {
+  Definition* made = define(session, *piece.scope, notch.name(), [&session, &piece, notch]() -> Value {
+    const auto position = notch.position();
+    if (!position) return Unknown{};
+    const Module& module = piece.scope->module();
+    const std::vector<syntax::Token> path = position->path();
+    const Scope* scope = piece.scope.get();
+    if (path.size() == 2) {
+      const InnerInstance* inner = piece.inner_called(session.name_of(module, path[0]));
+      if (inner == nullptr) return Unknown{};
+      scope = inner->scope.get();
+    }
+    Definition* edge = path.empty() ? nullptr : scope->own(session.name_of(module, path.back()));
+    const Value drawn = edge == nullptr ? Value{} : force(session, *edge);
+    const auto* curve = drawn.as<PlaneCurve>();
+    const Value where = evaluate(session, *piece.scope, position->where());
+    if (curve == nullptr || curve->curve == nullptr || where.unknown()) return Unknown{};  // told with the notch itself
+    const auto s = arc_length_at(session, *curve->curve, where, module.at(*position->where()), "the end of the edge");
+    return s ? Value{Point{dimension::length, curve->curve->at(*s)}} : Value{};
+  });
+  if (made == nullptr) piece.sound = false;
+}
+
 }  // namespace
 
 void define_piece_names(Session& session, PieceInstance& piece) {
@@ -337,6 +369,10 @@ void define_piece_names(Session& session, PieceInstance& piece) {
                   "the place where an outline begins"};
   if (!define_edges(session, *piece.scope, loop)) piece.sound = false;
   for (const syntax::Inner& inner : piece.plan.inner) define_inner(session, piece, inner);
+  for (const Repeated& detail : piece.plan.details) {
+    const auto notch = syntax::as<syntax::Notch>(detail.written);
+    if (notch && notch->name() && !detail.each) define_notch(session, piece, *notch);
+  }
 }
 
 DraftPiece draft_piece(Session& session, PieceInstance& piece) {

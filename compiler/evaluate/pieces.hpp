@@ -23,6 +23,9 @@ class PiecePlanner {
   /// The piece that it varies; null for none, and with an error for an unknown one.
   PieceInstance* base_of(PieceInstance& piece);
   void apply(PieceInstance& piece);
+  /// False for what the piece has said before: that is reported.
+  bool say_once(PieceInstance& piece, std::map<std::string, Location>& said, const syntax::View& item,
+                const char* what);
   void vary_outline(PieceInstance& piece, const syntax::Outline& outline);
   void take_edge(PieceInstance& piece, const syntax::Edge& edge);
   /// Reports a name that the same piece has defined before.

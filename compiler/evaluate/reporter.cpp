@@ -54,6 +54,18 @@ void Reporter::withdraw_syntax(Location stretch) {
   errors_ -= static_cast<int>(std::erase_if(all_, withdrawn));
 }
 
+bool Reporter::touches_a_slip(const Diagnostic& diagnostic) const {
+  constexpr std::uint32_t beside = 1;  // a comma between the two
+  const auto is_slip = [](const Diagnostic& each) { return each.code.starts_with("E00"); };
+  if (is_slip(diagnostic)) return false;
+  const Location own = place(diagnostic);
+  return std::ranges::any_of(all_, [&](const Diagnostic& each) {
+    const Location at = place(each);
+    return is_slip(each) && at.file == own.file && at.span.begin <= own.span.end + beside &&
+           own.span.begin <= at.span.end && own.span.end <= at.span.begin + beside;
+  });
+}
+
 void Reporter::add(Diagnostic diagnostic) {
   if (aside_ != nullptr) {
     aside_->push_back(std::move(diagnostic));
@@ -62,7 +74,7 @@ void Reporter::add(Diagnostic diagnostic) {
   if (diagnostic.severity == Severity::Warning && allows(diagnostic)) return;
   const Location where = place(diagnostic);
   const bool is_new = seen_.emplace(diagnostic.code, where.file, where.span.begin, where.span.end).second;
-  if (!is_new || full()) return;
+  if (!is_new || full() || touches_a_slip(diagnostic)) return;
   if (!calls_.empty() && !(calls_.front() == where))
     diagnostic.labels.push_back({calls_.front(), "in this call", false});
   if (diagnostic.severity == Severity::Error) ++errors_;

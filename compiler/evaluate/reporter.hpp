@@ -40,7 +40,8 @@ class Problem {
 class Reporter {
  public:
   void add(const Problem& problem) { add(problem.diagnostic()); }
-  /// The same code at the same place is reported once: bodies of functions are evaluated at every call.
+  /// The same code at the same place is reported once: bodies of functions are evaluated at every call. What touches
+  /// text that was not understood is no mistake of its own: `2,5cm` is no plain number.
   void add(Diagnostic diagnostic);
 
   /// Warnings of this code within this stretch of text are meant to be.
@@ -69,6 +70,8 @@ class Reporter {
   const std::vector<Diagnostic>& all() const { return all_; }
 
  private:
+  bool touches_a_slip(const Diagnostic& diagnostic) const;
+
   std::vector<Diagnostic> all_;
   std::set<std::tuple<std::string, FileId, std::uint32_t, std::uint32_t>> seen_;
   std::vector<std::pair<std::string, Location>> allowed_;

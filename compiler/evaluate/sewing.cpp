@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <map>
 
+#include "compiler/curve/places.hpp"
 #include "compiler/evaluate/curves.hpp"
 #include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
@@ -55,20 +56,19 @@ class SewingReader {
     if (!chain) return false;
     bool sound = true;
     for (const syntax::EdgeRef& reference : chain->edges()) {
-      auto edge = read_edge(reference);
-      if (edge && read_part(reference, *edge)) {
-        into.push_back(std::move(*edge));
-      } else {
-        sound = false;
-      }
+      std::vector<DraftEdgeRef> edges = read_edge(reference);
+      for (DraftEdgeRef& edge : edges) sound = sound && read_part(reference, edges.size(), edge);
+      sound = sound && !edges.empty();
+      into.insert(into.end(), edges.begin(), edges.end());
     }
     return sound && !into.empty();
   }
 
-  std::optional<DraftEdgeRef> read_edge(const syntax::EdgeRef& reference) {
+  /// One edge, or all of a hole or a line whose name stands alone; none after a mistake.
+  std::vector<DraftEdgeRef> read_edge(const syntax::EdgeRef& reference) {
     const std::vector<syntax::Token> path = reference.path();
     const std::optional<std::vector<std::string>> called = path_of(session_, scope_, reference);
-    if (path.size() < 2 || !called || called->size() != path.size()) return std::nullopt;
+    if (path.size() < 2 || !called || called->size() != path.size()) return {};
     DraftEdgeRef made;
     made.written = module_.at(reference);
     made.piece = called->at(0);
@@ -78,13 +78,13 @@ class SewingReader {
       for (const auto& each : garment_.pieces) names.push_back(each->name);
       report_unknown(session_, module_, path[0],
                      fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, made.piece), names, "E0309");
-      return std::nullopt;
+      return {};
     }
-    if (piece->written.taken() && piece->taken == nullptr) return std::nullopt;  // told where it is taken
+    if (piece->written.taken() && piece->taken == nullptr) return {};  // told where it is taken
+    if (!piece->plan.outline && piece->taken == nullptr) return {};    // that it has none is told where it is drawn
     made.edge = called->at(1);
     if (const InnerInstance* inner = piece->inner_called(made.edge)) {
-      if (!read_inner(path, *inner, made)) return std::nullopt;
-      return read_side(path, 3, made) ? std::optional(made) : std::nullopt;
+      return read_inner(path, *inner, made);
     }
     // An edge of a hole without the hole's name, or of a line: make_garment() tells how it is written.
     std::vector<std::string> known = piece->edge_names();
@@ -95,35 +95,42 @@ class SewingReader {
     if (std::find(known.begin(), known.end(), made.edge) == known.end()) {
       report_unknown(session_, module_, path[1], fmt::format("piece `{}` has no edge `{}`", made.piece, made.edge),
                      known, "E0308");
-      return std::nullopt;
+      return {};
     }
-    return read_side(path, 2, made) ? std::optional(made) : std::nullopt;
+    if (!read_side(path, 2, made)) return {};
+    return {made};
   }
 
-  /// `piece.hole.edge`, `piece.line.edge`.
-  bool read_inner(const std::vector<syntax::Token>& path, const InnerInstance& inner, DraftEdgeRef& edge) {
+  /// `piece.hole.edge`, `piece.line.edge`, or without an edge all of them.
+  std::vector<DraftEdgeRef> read_inner(const std::vector<syntax::Token>& path, const InnerInstance& inner,
+                                       const DraftEdgeRef& made) {
     std::vector<std::string> known;
-    for (const PlannedEdge& rim : inner.edges) known.push_back(rim.name);
-    if (path.size() < 3) {
-      const std::string example = known.empty() ? "rim" : known.front();
-      session_.report.add(
-          Problem("E0308", fmt::format("`{}.{}` is a {}, no edge", edge.piece, inner.name, inner.kind()))
-              .at(module_.at(path[1]))
-              .help(fmt::format("name its edges: `{}.{}.{}`", edge.piece, inner.name, example)));
-      return false;
+    for (const PlannedEdge& edge : inner.edges) known.push_back(edge.name);
+    const std::string named = path.size() > 2 ? session_.name_of(module_, path[2]) : "";
+    const bool one = std::find(known.begin(), known.end(), named) != known.end();
+    const bool all = path.size() == 2 || (path.size() == 3 && (named == "drawn" || named == "mirrored"));
+    if (!one && !all) {
+      report_unknown(session_, module_, path[2],
+                     fmt::format("{} `{}` has no edge `{}`", inner.kind(), inner.name, named), known, "E0308");
+      return {};
     }
-    const std::string rim = session_.name_of(module_, path[2]);
-    edge.edge = inner.name + "." + rim;
-    if (std::find(known.begin(), known.end(), rim) != known.end()) return true;
-    report_unknown(session_, module_, path[2], fmt::format("{} `{}` has no edge `{}`", inner.kind(), inner.name, rim),
-                   known, "E0308");
-    return false;
+    std::vector<DraftEdgeRef> edges;
+    for (const std::string& name : one ? std::vector{named} : known) {
+      edges.push_back(made);
+      edges.back().edge = inner.name + "." + name;
+      if (!read_side(path, one ? 3 : 2, edges.back())) return {};
+    }
+    return edges;
   }
 
   /// `in 0cm..18cm`: places on the edge as drawn.
-  bool read_part(const syntax::EdgeRef& reference, DraftEdgeRef& edge) {
+  bool read_part(const syntax::EdgeRef& reference, std::size_t edges, DraftEdgeRef& edge) {
     const auto range = reference.range();
     if (!range) return true;
+    if (edges > 1) {
+      session_.report.add(Problem("E0308", "a part is told of a single edge").at(module_.at(reference)));
+      return false;
+    }
     const DraftEdge* drafted = nullptr;
     for (const DraftPiece& piece : garment_.draft.pieces) {
       if (piece.name == edge.piece) drafted = drafted_edge(piece, edge.edge);
@@ -155,17 +162,38 @@ class SewingReader {
     return arc_length_at(session_, curve, where, module_.at(*expr), "the end of edge `" + name + "`");
   }
 
+  /// A point, as that of a notch, on the line named first.
+  std::optional<DraftSeamPlace> seam_place(Vec2 point, Location at, const DraftSeam& seam) {
+    constexpr double on = 1e-6;  // [m]
+    for (const DraftEdgeRef& reference : seam.first) {
+      for (const DraftPiece& piece : garment_.draft.pieces) {
+        const DraftEdge* edge = piece.name == reference.piece ? drafted_edge(piece, reference.edge) : nullptr;
+        if (edge == nullptr) continue;
+        const double s = nearest_place(edge->curve, point);
+        if (distance(edge->curve.at(s), point) < on) return DraftSeamPlace{s, false, reference.piece, reference.edge};
+      }
+    }
+    session_.report.add(Problem("E0213", "this point does not lie on the line that the seam names first")
+                            .at(at)
+                            .also(seam.first.empty() ? seam.written : seam.first.front().written, "the line"));
+    return std::nullopt;
+  }
+
   /// A place on a seam, whose length is not known yet.
-  std::optional<DraftSeamPlace> seam_place(const std::optional<syntax::Expr>& expr) {
+  std::optional<DraftSeamPlace> seam_place(const std::optional<syntax::Expr>& expr, const DraftSeam& seam) {
     const Value where = evaluate(session_, scope_, expr);
     if (where.unknown()) return std::nullopt;
+    const auto* point = where.as<Point>();
+    if (point != nullptr && point->dimension == dimension::length && where.known()) {
+      return seam_place(point->at, module_.at(*expr), seam);
+    }
     const auto* quantity = where.as<Quantity>();
     if (quantity == nullptr || !(quantity->dimension.plain() || quantity->dimension == dimension::length)) {
       wanted_.wrong(*expr, where, "a place on a seam", "a length or a fraction");
       return std::nullopt;
     }
     if (!wanted_.there(*expr, where, "a place on a seam")) return std::nullopt;
-    return DraftSeamPlace{quantity->si, quantity->dimension.plain()};
+    return DraftSeamPlace{quantity->si, quantity->dimension.plain(), {}, {}};
   }
 
   /// What stands behind the edge's name, if anything.
@@ -240,7 +268,7 @@ class SewingReader {
   bool read_notches(const syntax::SewOption& option, DraftSeam& seam) {
     bool sound = true;
     for (const syntax::Expr& expr : option.places()) {
-      const auto place = seam_place(expr);
+      const auto place = seam_place(expr, seam);
       if (place) seam.notches.push_back(*place);
       sound = sound && place;
     }
@@ -249,7 +277,7 @@ class SewingReader {
 
   bool read_fullness(const syntax::Token& word, const syntax::SewOption& option, DraftSeam& seam) {
     if (const auto range = option.range()) {
-      const auto from = seam_place(range->low()), to = seam_place(range->high());
+      const auto from = seam_place(range->low(), seam), to = seam_place(range->high(), seam);
       if (!from || !to) return false;
       seam.taken = {*from, *to};
     }

@@ -39,7 +39,7 @@ constexpr std::array forms{
     Form{"import", "import NAME, or: import \"file.toile\" as NAME"},
     Form{"label", "label \"TEXT\""},
     Form{"let", "let NAME = VALUE"},
-    Form{"line", "NAME = line to POINT"},
+    Form{"line", "NAME = line to POINT, or in a piece: line NAME from POINT { ... }"},
     Form{"mark", "mark CURVE, or: mark LINE folded 90deg"},
     Form{"notch", "notch at PLACE of EDGE"},
     Form{"outline", "outline from POINT { ... }, an edge a line"},

@@ -73,7 +73,7 @@ std::vector<Piece> cut_piece(const DraftPiece& draft, const PieceUse& use, Findi
   const bool lines = marks && check_lines(draft, drawn, findings);
   for (const DraftPlace& place : use.divisions) divide_at(drawn, place.edge, place.at);
   divide_at_creases(draft, drawn);
-  if (lines) divide_at_lines(drawn);
+  if (lines) divide_at_lines(draft, drawn);
   const bool notches = set_notches(draft, drawn, findings);
   if (!inside || !holes || !allowances || !fold || !marks || !lines || !notches) return {};
   if (draft.fold) {

@@ -87,8 +87,8 @@ bool check_holes(const DraftPiece& draft, Findings& findings);
 bool check_lines(const DraftPiece& draft, const DrawnPiece& drawn, Findings& findings);
 /// Darts, pleats and allowances stand at the rim of the cloth, not on a line inside.
 bool check_rims(const DraftPiece& draft, Findings& findings);
-/// Puts the edges on which lines end in two there.
-void divide_at_lines(DrawnPiece& drawn);
+/// Puts the edges on which lines end in two there, but for the fold.
+void divide_at_lines(const DraftPiece& draft, DrawnPiece& drawn);
 
 /// For an outline that passed its check: edges with their allowances, holes clockwise.
 DrawnPiece drawn_piece(const DraftPiece& draft);

@@ -129,10 +129,12 @@ struct DraftEdgeRef {
   std::optional<DrawnSpan> part{};  // of a part of the edge
 };
 
-/// A place on a seam's first chain: a length [m] from its start, or a fraction of it.
+/// A place on a seam's first chain: a length [m] from its start, or a fraction of it; or a length along one of its
+/// edges as drawn.
 struct DraftSeamPlace {
   double value = 0;
   bool is_fraction = false;
+  std::string piece{}, edge{};  // of which it is told, where it is told of an edge
 };
 
 struct DraftSeam {

@@ -92,11 +92,21 @@ void add_mirrored_marks(const Piece& from, const MirroredNumbers& number, Vec2 p
   }
 }
 
+// Whether all that a curve is drawn by, its ends and control points, lies to the left of the line: then so does it.
+bool lies_left(const Curve& curve, Vec2 point, Vec2 axis) {
+  const auto left = [&](Vec2 place) { return cross(axis, place - point) >= 0; };
+  return std::all_of(curve.segments().begin(), curve.segments().end(), [&](const Segment& segment) {
+    if (const auto* line = std::get_if<LineSegment>(&segment)) return left(line->from) && left(line->to);
+    const auto* cubic = std::get_if<BezierSegment>(&segment);
+    return cubic != nullptr && left(cubic->p0) && left(cubic->p1) && left(cubic->p2) && left(cubic->p3);
+  });
+}
+
 // The farthest that the rest of the outline reaches over the fold line, and which edge does.
 std::pair<double, const PieceEdge*> reach_over(const Piece& piece, const std::string& fold, Vec2 point, Vec2 axis) {
   std::pair<double, const PieceEdge*> worst{0, nullptr};
   for (const PieceEdge& edge : piece.edges) {
-    if (edge.name == fold) continue;
+    if (edge.name == fold || lies_left(edge.curve, point, axis)) continue;
     for (const Vec2 place : edge.curve.polygon(1e-5)) {
       const double over = -cross(axis, place - point);
       if (over > worst.first) worst = {over, &edge};

@@ -105,8 +105,12 @@ class LineCheck {
         return fail(fmt::format("meets edge {}", quoted(rim.name)), rim.written, at(crossing.point),
                     "a line keeps inside of the cloth; only its ends may lie on an edge");
       }
-      if (rim.is_dart_leg || rim.folded_under || lies_in_pleat(rim, crossing.s_second)) {
-        return fail(fmt::format("ends in a {}", rim.is_dart_leg ? "dart" : "pleat"), rim.written, at(crossing.point),
+    }
+    for (const Vec2 end : {whole.start(), whole.end()}) {
+      const double met = nearest_place(rim.curve, end);
+      if (distance(rim.curve.at(met), end) > kTouches) continue;
+      if (rim.is_dart_leg || rim.folded_under || lies_in_pleat(rim, met)) {
+        return fail(fmt::format("ends in a {}", rim.is_dart_leg ? "dart" : "pleat"), rim.written, at(end),
                     "let it end beside");
       }
     }
@@ -178,11 +182,12 @@ bool check_lines(const DraftPiece& draft, const DrawnPiece& drawn, Findings& fin
   return findings.errors() == before;
 }
 
-void divide_at_lines(DrawnPiece& drawn) {
+void divide_at_lines(const DraftPiece& draft, DrawnPiece& drawn) {
   for (const std::vector<PieceEdge>& line : drawn.piece.lines) {
     for (const Vec2 end : {line.front().curve.start(), line.back().curve.end()}) {
       for (int l = 0; l < drawn.closed_count(); ++l) {
         for (int i = 0; i < static_cast<int>(drawn.loop(l).size()); ++i) {
+          if (draft.fold == drawn.loop(l)[i].name) continue;  // there the line runs on into its mirror image
           const Curve& edge = drawn.loop(l)[i].curve;
           const double s = nearest_place(edge, end);
           if (distance(edge.at(s), end) < kTouches && !is_end(edge, s)) divide_edge(drawn, {l, i, s});

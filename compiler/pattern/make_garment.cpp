@@ -108,8 +108,9 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   garment.arrangements = resolve_arrangements(draft, garment.pieces);
   check_worn_once(garment.wears, garment.pieces, findings);
   check_lengths(draft, seams, garment.pieces, findings);
-  if (complete) check_ties(draft, garment, findings);
-  if (complete) check_gaps(garment, findings);
+  // What follows would only repeat that something is sewn wrongly.
+  if (findings.errors() == 0) check_ties(draft, garment, findings);
+  if (findings.errors() == 0) check_gaps(garment, findings);
   add_tied_notches(garment.seams, garment.pieces);
   return garment;
 }

@@ -95,6 +95,20 @@ void add_drawn_edges(const DraftGarment& draft, const std::vector<DraftEdgeRef>&
   }
 }
 
+// Whether one side is there twice, on the fold or cut in pairs, and the other once.
+bool copies_differ(const DraftGarment& garment, const DraftSeam& draft) {
+  const auto copied = [&](const DraftEdgeRef& reference) {
+    const auto piece = std::find_if(garment.pieces.begin(), garment.pieces.end(),
+                                    [&](const DraftPiece& each) { return each.name == reference.piece; });
+    return piece != garment.pieces.end() && (piece->fold || piece->mirrored) && !reference.side;
+  };
+  return copied(draft.first.front()) != copied(draft.second.front());
+}
+
+std::string draft_reference(const DraftEdgeRef& reference) {
+  return reference.piece + "." + reference.edge;
+}
+
 void report_lengths(const DraftGarment& garment, const DraftSeam& draft, double first, double second,
                     Findings& findings) {
   const double difference = std::abs(first - second);
@@ -102,6 +116,18 @@ void report_lengths(const DraftGarment& garment, const DraftSeam& draft, double 
   std::vector<Label> labels = length_labels(draft, first, second);
   add_drawn_edges(garment, draft.first, labels);
   add_drawn_edges(garment, draft.second, labels);
+  const double shorter = std::min(first, second), tolerance = std::max(kSeamTolerance, kRelativeTolerance * shorter);
+  if (std::abs(difference - shorter) < 2 * tolerance && copies_differ(garment, draft)) {
+    findings.error(
+        "E0316",
+        fmt::format("seam lengths differ by {}: {} is {} long, {} is {}", in_cm(difference), one, in_cm(first), other,
+                    in_cm(second)),
+        std::move(labels),
+        fmt::format("the longer side is there twice, drawn and mirrored: name one copy, `{}.drawn`, or cut the other "
+                    "piece mirrored, too",
+                    draft_reference(first < second ? draft.second.front() : draft.first.front())));
+    return;
+  }
   if (draft.fullness == Seam::Fullness::None) {
     findings.error("E0316",
                    fmt::format("seam lengths differ by {}: {} is {} long, {} is {}", in_cm(difference), one,

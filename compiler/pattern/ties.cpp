@@ -16,7 +16,7 @@ constexpr double kAtEnd = 1e-6;  // [m]
 class SeamPlaces {
  public:
   SeamPlaces(const Seam& seam, const std::vector<Piece>& pieces)
-      : first_(length(pieces, seam.first)), second_(length(pieces, seam.second)) {
+      : pieces_(pieces), chain_(seam.first), first_(length(pieces, seam.first)), second_(length(pieces, seam.second)) {
     const ChainLink& link = seam.first.front();
     turned_ = pieces[link.edge.piece].edge(link.edge.edge).against_drawing == link.forward;
   }
@@ -25,6 +25,7 @@ class SeamPlaces {
   double difference() const { return second_ - first_; }
   /// Along the first chain [m]; nothing when that is beyond its ends.
   std::optional<double> place(const DraftSeamPlace& at) const {
+    if (!at.edge.empty()) return along_edge(at);
     const double s = at.is_fraction ? at.value * first_ : at.value;
     if (s < -kAtEnd || s > first_ + kAtEnd) return std::nullopt;
     const double inside = std::clamp(s, 0.0, first_);
@@ -33,6 +34,25 @@ class SeamPlaces {
   std::array<double, 2> ends() const { return {first_, second_}; }
 
  private:
+  std::optional<double> along_edge(const DraftSeamPlace& at) const {
+    double before = 0;
+    for (const ChainLink& link : chain_) {
+      const Piece& piece = pieces_[link.edge.piece];
+      const PieceEdge& edge = piece.edge(link.edge.edge);
+      const double whole = edge.curve.length(), drawn = edge.drawn.to - edge.drawn.from;
+      const bool here = piece.drawn_name == at.piece && edge.name == at.edge && at.value > edge.drawn.from - kAtEnd &&
+                        at.value < edge.drawn.to + kAtEnd;
+      if (here && drawn > 0) {
+        const double along = std::clamp((at.value - edge.drawn.from) / drawn, 0.0, 1.0) * whole;
+        return before + (edge.against_drawing == link.forward ? whole - along : along);
+      }
+      before += whole;
+    }
+    return std::nullopt;
+  }
+
+  const std::vector<Piece>& pieces_;
+  const Chain& chain_;
   double first_ = 0, second_ = 0;
   bool turned_ = false;
 };

@@ -79,6 +79,7 @@ PlaneDomain GarmentMesher::lay_out(PieceState& piece, PieceId id) const {
   piece.loop_begin.push_back(static_cast<int>(piece.outline.size()));
   lay_out_lines(piece, id, domain);
   pin_creases(id, domain);
+  pin_tucks(id, domain);
   add_pins(piece, domain);
   return domain;
 }
@@ -152,6 +153,38 @@ void GarmentMesher::pin_creases(PieceId id, PlaneDomain& domain) const {
                  pieces_[id].size.shortest);
     const int parts = static_cast<int>(std::ceil(length / spacing));
     for (int i = 1; i < parts; ++i) domain.pins.push_back(mark.curve.at(length * i / parts));
+  }
+}
+
+/// Nodes halfway between two lines that are sewn to each other: there the cloth folds.
+void GarmentMesher::pin_tucks(PieceId id, PlaneDomain& domain) const {
+  const Piece& piece = garment_.pieces[id];
+  const auto place_on = [&](const Chain& chain, double at) {
+    for (const ChainLink& link : chain) {
+      const Curve& curve = piece.edge(link.edge.edge).curve;
+      if (at <= curve.length() || &link == &chain.back()) return curve.at(link.forward ? at : curve.length() - at);
+      at -= curve.length();
+    }
+    return Vec2{};
+  };
+  for (const Seam& seam : garment_.seams) {
+    const bool own =
+        std::all_of(seam.first.begin(), seam.first.end(),
+                    [&](const ChainLink& link) { return link.edge.piece == id && piece.is_inside(link.edge.edge); }) &&
+        std::all_of(seam.second.begin(), seam.second.end(),
+                    [&](const ChainLink& link) { return link.edge.piece == id && piece.is_inside(link.edge.edge); });
+    if (!own || seam.open) continue;
+    double first = 0, second = 0;
+    for (const ChainLink& link : seam.first) first += piece.edge(link.edge.edge).curve.length();
+    for (const ChainLink& link : seam.second) second += piece.edge(link.edge.edge).curve.length();
+    const double apart = distance(place_on(seam.first, first / 2), place_on(seam.second, second / 2));
+    const double spacing =
+        std::max(kCreaseSpacing * std::min(options_.target_edge, apart / 2), pieces_[id].size.shortest);
+    const int parts = std::max(1, static_cast<int>(std::ceil(first / spacing)));
+    for (int i = 1; i < parts; ++i) {
+      const Vec2 a = place_on(seam.first, first * i / parts), b = place_on(seam.second, second * i / parts);
+      if (distance(a, b) > 0.5 * spacing) domain.pins.push_back(0.5 * (a + b));
+    }
   }
 }
 

@@ -59,6 +59,7 @@ class GarmentMesher {
   void lay_out_lines(PieceState& piece, PieceId id, PlaneDomain& domain) const;
   static double room_beside(const LineMark& crease, const Piece& piece);
   void pin_creases(PieceId id, PlaneDomain& domain) const;
+  void pin_tucks(PieceId id, PlaneDomain& domain) const;
   void add_pins(const PieceState& piece, PlaneDomain& domain) const;
   std::vector<SideSplit> wishes(const PieceState& piece) const;
   void apply_splits();

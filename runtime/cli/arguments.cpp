@@ -155,6 +155,7 @@ void build(CLI::App& app, Arguments& arguments) {
                                "toile draft skirt.toile -o skirt.svg");
   script_file(draft, arguments);
   draft.add_flag("--sewing", arguments.sewing, "write the order of sewing instead, step by step: .txt or .json");
+  draft.add_flag("--nested", arguments.nested, "all sizes of the script's size table in one drawing: .svg");
   draft.add_option("-o", arguments.outputs, "the file: .svg (true scale), .dxf or .json")
       ->required()
       ->type_name("F")

@@ -37,9 +37,9 @@ struct Arguments {
   std::optional<double> accuracy;
   DrapeOptions::Solver solver = DrapeOptions::Solver::Newton;
   bool warm = false;
-  std::string stage;                 // `compile`
-  bool sewing = false;               // `draft`
-  std::vector<std::string> outputs;  // -o
+  std::string stage;                    // `compile`
+  bool sewing = false, nested = false;  // `draft`
+  std::vector<std::string> outputs;     // -o
   std::string report, profile;
   std::string view, field;  // `render`
   int width = 800, height = 800;

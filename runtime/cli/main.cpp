@@ -106,6 +106,11 @@ Outcome test_cloth(const Arguments& arguments, Console& console, const Job& job)
 Outcome work_through(const Arguments& arguments, Console& console, const Job& job) {
   Outcome all;
   for (const std::string& file : arguments.files) {
+    if (arguments.nested) {
+      all.add(
+          draft_nested(file, workroom_options(arguments), arguments.garment, arguments.outputs.front(), console, job));
+      continue;
+    }
     for (const WorkroomOptions& options : one_by_size(file, workroom_options(arguments))) {
       if (options.size_in_names) console.noted("size " + options.size);
       all.add(work_on(file, options, arguments, console, job));

@@ -5,6 +5,8 @@
 #include "runtime/driver/choice.hpp"
 #include "runtime/driver/outputs.hpp"
 #include "runtime/driver/run.hpp"
+#include "runtime/driver/sizes.hpp"
+#include "runtime/export/export.hpp"
 
 namespace toile {
 namespace {
@@ -28,6 +30,32 @@ void draft(Workroom& workroom, const std::string& garment, const std::filesystem
   const std::optional<int> chosen = choose_garment(workroom, garment);
   if (!chosen) return;
   workroom.write(file, *pattern_file(file, workroom.program().garments()[static_cast<std::size_t>(*chosen)]));
+}
+
+Outcome draft_nested(const std::filesystem::path& script, const WorkroomOptions& options, const std::string& garment,
+                     const std::filesystem::path& file, Listener& listener, const Job& job) {
+  WorkroomOptions all = options;
+  if (all.size.empty()) all.size = "all";
+  std::vector<SizedGarment> sizes;
+  const std::vector<WorkroomOptions> each = one_by_size(script, all);
+  for (const WorkroomOptions& own : each) {
+    WorkroomOptions unnamed = own;
+    unnamed.size_in_names = false;
+    Workroom workroom(unnamed, listener, job);
+    if (!workroom.load(script)) return workroom.outcome();
+    const std::optional<int> chosen = choose_garment(workroom, garment);
+    if (!chosen) return workroom.outcome();
+    sizes.push_back({own.size, workroom.program().garments()[static_cast<std::size_t>(*chosen)]});
+    if (&own != &each.back()) continue;
+    if (file.extension() == ".svg") {
+      workroom.write(file, nested_svg(sizes));
+    } else {
+      workroom.wrong_usage(fmt::format("{} is no kind of file for nested sizes", file.string()),
+                           "give a name that ends in .svg");
+    }
+    return workroom.outcome();
+  }
+  return {};
 }
 
 void draft_sewing(Workroom& workroom, const std::string& garment, const std::filesystem::path& file) {

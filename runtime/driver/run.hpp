@@ -25,6 +25,9 @@ std::optional<std::string> emit_stage(Workroom& workroom, Stage stage, const std
 
 /// The flat pattern to a file.
 void draft(Workroom& workroom, const std::string& garment, const std::filesystem::path& file);
+/// All sizes of a script, or those chosen, to one drawing: the last workroom writes it.
+Outcome draft_nested(const std::filesystem::path& script, const WorkroomOptions& options, const std::string& garment,
+                     const std::filesystem::path& file, Listener& listener, const Job& job);
 /// The order of sewing to a file.
 void draft_sewing(Workroom& workroom, const std::string& garment, const std::filesystem::path& file);
 

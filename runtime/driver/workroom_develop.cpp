@@ -202,7 +202,7 @@ void Workroom::note_development(const DevelopCommand& command, const Developed& 
   if (command.strain) note_strain(command, developed);
   if (flat.converged) return;
   outcome_.unsettled = true;
-  diagnose(at_place(Severity::Warning, "W0513", command.written,
+  diagnose(at_place(Severity::Warning, "W0509", command.written,
                     fmt::format("the development of {} did not come to rest: {:.1e} of the force of a strain is left",
                                 developed.drawn->garment.name, flat.residual_relative),
                     "developed here"));

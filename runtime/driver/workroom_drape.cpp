@@ -109,7 +109,7 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   profile_.place_s += result.place_seconds;
   profile_.solve_s += result.solve_seconds;
   if (!result.error.empty()) {
-    diagnose(at_place(Severity::Error, "E0508", command.written, "this garment cannot be placed: " + result.error,
+    diagnose(at_place(Severity::Error, "E0505", command.written, "this garment cannot be placed: " + result.error,
                       "draped here"));
     return std::nullopt;
   }

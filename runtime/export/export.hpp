@@ -2,6 +2,7 @@
 #pragma once
 
 #include <string>
+#include <vector>
 
 #include "compiler/pattern/pattern.hpp"
 #include "compiler/smesh/smesh.hpp"
@@ -33,6 +34,13 @@ std::string mesh_json(const Garment& garment, const SewnMesh& mesh);
 /// which edge is sewn to which.
 std::string pattern_svg(const Garment& garment);
 std::string pattern_json(const Garment& garment);
+/// The pattern in one of its sizes.
+struct SizedGarment {
+  std::string size;
+  Garment garment;
+};
+/// All sizes nested: every piece once, its sizes drawn over each other about the origin of its drawing.
+std::string nested_svg(const std::vector<SizedGarment>& sizes);
 /// The same for cutters and pattern programs: DXF in millimetres, a block a piece, layers as the apparel standards have
 /// them.
 std::string pattern_dxf(const Garment& garment);

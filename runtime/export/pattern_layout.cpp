@@ -34,6 +34,7 @@ std::vector<LineSegment> obstacles(const Piece& piece) {
   };
   add(piece.edges);
   for (const auto& hole : piece.holes) add(hole);
+  for (const auto& line : piece.lines) add(line);
   if (piece.fold) lines.push_back(*piece.fold);
   return lines;
 }

@@ -23,6 +23,38 @@ void expect_at(Vec2 found, Vec2 wanted, double tolerance = 1e-12) {
   EXPECT_NEAR(found.y, wanted.y, tolerance);
 }
 
+TEST(Fillet, OfTwoLinesTouchesBoth) {
+  const auto parts = fillet(line({0, 0}, {0.3, 0}), line({0.3, 0}, {0.3, 0.2}), 0.05);
+  ASSERT_TRUE(parts);
+  expect_at((*parts)[0].end(), {0.25, 0});
+  expect_at((*parts)[2].start(), {0.3, 0.05});
+  EXPECT_NEAR((*parts)[1].length(), 0.05 * pi / 2, 1e-12);
+}
+
+TEST(Fillet, RunsOnSmoothlyFromCurveToCurve) {
+  EXPECT_TRUE(rc::check("directions at both ends of the arc are those of the curves", [] {
+    const Vec2 corner = *any_place();
+    const double in = 0.01 * *rc::gen::inRange(-300, 300), turn = 0.01 * *rc::gen::inRange(30, 250);
+    const double sign = *rc::gen::arbitrary<bool>() ? 1 : -1;
+    const Curve first = tangent_curve(corner - 0.5 * direction(in), in + 0.3, corner, in);
+    const double out = in + sign * turn;
+    const Curve second = tangent_curve(corner, out, corner + 0.5 * direction(out), out - 0.3);
+    const double radius = 0.02;
+    const auto parts = fillet(first, second, radius);
+    RC_ASSERT(parts.has_value());
+    const auto& [before, arc, after] = *parts;
+    RC_ASSERT(distance(before.end(), arc.start()) < 1e-9 && distance(arc.end(), after.start()) < 1e-9);
+    RC_ASSERT(distance(before.tangent(before.length()), arc.tangent(0)) < 1e-7);
+    RC_ASSERT(distance(after.tangent(0), arc.tangent(arc.length())) < 1e-7);
+    RC_ASSERT(std::abs(std::abs(arc.curvature(0)) - 1 / radius) < 1e-6 / radius);
+  }));
+}
+
+TEST(Fillet, NeedsACornerAndRoom) {
+  EXPECT_FALSE(fillet(line({0, 0}, {0.3, 0}), line({0.3, 0}, {0.6, 0}), 0.05));
+  EXPECT_FALSE(fillet(line({0, 0}, {0.3, 0}), line({0.3, 0}, {0.3, 0.2}), 0.25));
+}
+
 TEST(Spline, OfPointsOnALineIsTheLine) {
   const Curve curve = spline({{0, 0}, {1, 1}, {3, 3}, {4, 4}});
   EXPECT_NEAR(curve.length(), std::sqrt(32), 1e-12);

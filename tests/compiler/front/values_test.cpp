@@ -36,6 +36,30 @@ TEST(Records, MistakesAreTold) {
   EXPECT_THAT(script.rendered(), HasSubstr("did you mean `waist`?"));
 }
 
+TEST(Records, TakeOverWhatTheyDoNotSayThemselves) {
+  const std::string m = "let m = (waist: 68cm, hip: 94cm)\n";
+  EXPECT_EQ(value_of("(waist: 70cm, m...)", m), "(waist: 70 cm, hip: 94 cm)");
+  EXPECT_EQ(value_of("(length: 60cm, m..., (bust: 90cm, hip: 0cm)...)", m),
+            "(length: 60 cm, waist: 68 cm, hip: 94 cm, bust: 90 cm)");
+  EXPECT_EQ(value_of("m.hip", m + "let n = (waist: 1cm, m...)"), "94 cm");
+}
+
+TEST(Records, AndListsAreComparedPartByPart) {
+  const std::string m = "let m = (waist: 68cm, hip: 94cm)\n";
+  EXPECT_EQ(value_of("m == (hip: 94cm, waist: 68cm), m == (waist: 68cm, hip: 95cm), m != (waist: 1cm, m...)", m),
+            "true false true");
+  EXPECT_EQ(value_of("[1cm, 2cm] == [1cm, 2cm], [1cm] == [1cm, 2cm], [[1]] != [[2]], [] == [3cm]"),
+            "true false true false");
+}
+
+TEST(Records, ThatCannotBeComparedOrTakenOverAreTold) {
+  const Script script(
+      "let m = (waist: 68cm)\nlet a = m == (hip: 68cm)\nlet b = [1cm] == [1deg]\nlet c = (x: 1, 3cm...)\nlet d = m == "
+      "3\n");
+  EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0202 2:9"), StartsWith("E0202 3:9"), StartsWith("E0202 4:16"),
+                                         StartsWith("E0202 5:9")));
+}
+
 TEST(Texts, HoldValuesWithTheirUnits) {
   const std::string w = "let w = 23.4cm\nlet n = 2\n";
   EXPECT_EQ(value_of("\"cut {n} of {w}\"", w), "cut 2 of 23.4 cm");
