@@ -82,7 +82,8 @@ std::string patchwork(Dice& dice) {
     const auto [other, edge] = free[static_cast<std::size_t>(at)];
     free.erase(free.begin() + at);
     Outline next = random_outline(dice, size);
-    const int own = dice.from(0, next.count() - 1);
+    int own = 0;  // the longest: nothing grows beyond what it is sewn to
+    for (int e = 1; e < next.count(); ++e) own = next.length(e) > next.length(own) ? e : own;
     const double wanted = pieces[static_cast<std::size_t>(other)].length(edge) * dice.uniform(0.75, 1.35);
     next = next.scaled(wanted / next.length(own));
     for (int e = 0; e < next.count(); ++e) {

@@ -75,7 +75,8 @@ Outline random_outline(Dice& dice, double size) {
     const std::vector<OutlineEdge> straight = edges;
     const Outline chords(straight);
     for (int i = 0; i < corners; ++i) {
-      if (dice.chance(0.5)) edges[static_cast<std::size_t>(i)].bulge = chords.length(i) * dice.uniform(-0.08, 0.12);
+      const double bulge = dice.uniform(-0.08, 0.12);
+      if (std::abs(bulge) > 0.02) edges[static_cast<std::size_t>(i)].bulge = bulge * chords.length(i);
     }
   }
   return Outline(std::move(edges));

@@ -87,8 +87,8 @@ std::string skirt_with_a_ruffle(Dice& dice) {
 }
 
 std::string pleated_skirt(Dice& dice) {
-  const int pleats = dice.from(2, 5);
-  static const std::vector<std::string> kinds{"", "pressed left, ", "inverted, ", "box, width 4cm, "};
+  const int pleats = dice.from(2, 4);
+  static const std::vector<std::string> kinds{"", "pressed left, ", "inverted, ", "box, width 3cm, "};
   return form(dice) +
          fmt::format(R"(garment thing in cloth {{
   let depth = {0}
@@ -117,7 +117,7 @@ std::string pleated_skirt(Dice& dice) {
   sew front.left to back.right
   wear front.waist + back.waist at form.waist
 )",
-                     cm(dice.uniform(0.01, 0.025)), dice.uniform(1.15, 1.5), pleats, cm(-dice.uniform(0.3, 0.7)),
+                     cm(dice.uniform(0.01, 0.025)), dice.uniform(1.25, 1.5), pleats, cm(-dice.uniform(0.3, 0.7)),
                      dice.one_of(kinds)) +
          end;
 }
