@@ -134,6 +134,16 @@ std::vector<Expr> Walk::waypoints() const {
 std::vector<Token> EdgeRef::path() const {
   return names_of(*this);
 }
+std::vector<Expr> Drape::over() const {
+  std::vector<Expr> found;
+  bool marked = false;
+  for (const View view : children(*this)) {
+    if (const auto expr = as<Expr>(view); expr && marked) found.push_back(*expr);
+    marked = view.kind() == Kind::KwOver;
+  }
+  return found;
+}
+
 std::vector<Token> RenderOption::names() const {
   return names_of(*this);
 }

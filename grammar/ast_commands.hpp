@@ -8,9 +8,10 @@
 
 namespace toile::syntax {
 
-/// drape skirt on form as worn to 1e-6
+/// drape coat over skirt over blouse on form as worn to 1e-6
 struct Drape : ViewOf<Kind::Drape> {
   std::optional<Expr> garment() const { return after<Expr>(*this, Kind::KwDrape); }
+  std::vector<Expr> over() const;  // from the outside in
   std::optional<Expr> body() const { return after<Expr>(*this, Kind::KwOn); }
   std::optional<Token> name() const { return after<Token>(*this, Kind::KwAs); }
   std::optional<Expr> accuracy() const { return after<Expr>(*this, Kind::KwTo); }

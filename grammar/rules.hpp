@@ -270,8 +270,9 @@ struct garment
 
 // --------------------------------------------------------------------------------------------------- commands
 
-struct drape : line<Kind::Drape, word<Kind::KwDrape>, expression, pegtl::opt<with_value<Kind::KwOn>>,
-                    pegtl::opt<word<Kind::KwAs>, any_name>, pegtl::opt<with_value<Kind::KwTo>>> {};
+struct drape : line<Kind::Drape, word<Kind::KwDrape>, expression, pegtl::star<with_value<Kind::KwOver>>,
+                    pegtl::opt<with_value<Kind::KwOn>>, pegtl::opt<word<Kind::KwAs>, any_name>,
+                    pegtl::opt<with_value<Kind::KwTo>>> {};
 struct develop : line<Kind::Develop, word<Kind::KwDevelop>, expression, pegtl::opt<word<Kind::KwAs>, any_name>,
                       pegtl::opt<word<Kind::KwWith>, word<Kind::KwDarts>, with_value<Kind::KwTo>>,
                       pegtl::opt<word<Kind::KwUntil>, with_value<Kind::KwWithin>>> {};

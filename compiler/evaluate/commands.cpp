@@ -57,10 +57,6 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
   if (put_the_wrong_way_round(drape)) return;
   const auto garment_expr = drape.garment();
   const bool of_development = planned.drape->developed != nullptr;
-  const GarmentInstance* garment =
-      garment_expr && !of_development
-          ? as_garment(session_, evaluate(session_, scope(), garment_expr), module().at(*garment_expr))
-          : nullptr;
   std::shared_ptr<BodyInstance> body;
   if (const auto body_expr = drape.body()) {
     body = as_body(session_, evaluate(session_, scope(), body_expr), module().at(*body_expr));
@@ -77,29 +73,44 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
     }
   }
   if (of_development && sound) return check_drape_of_development(planned, drape, std::move(made));
-  if (garment == nullptr) return;
+  if (!garment_expr || of_development) return;
+  std::vector<syntax::Expr> garments = drape.over();
+  garments.insert(garments.begin(), *garment_expr);
+  std::vector<int> outside_in;
+  for (const syntax::Expr& expr : garments) {
+    const GarmentInstance* garment = draped_garment(expr);
+    if (garment == nullptr) return;
+    if (sound) check_bodies(drape, *garment, body.get());
+    if (garment->index >= 0) outside_in.push_back(garment->index);
+  }
+  if (!sound || outside_in.size() < garments.size()) return;
+  made.garment = outside_in.front();
+  made.over.assign(outside_in.begin() + 1, outside_in.end());
+  made.body = body == nullptr ? -1 : index_of(session_, *body);
+  planned.command = made;
+}
+
+const GarmentInstance* Commands::draped_garment(const syntax::Expr& expr) {
+  const GarmentInstance* garment = as_garment(session_, evaluate(session_, scope(), expr), module().at(expr));
+  if (garment == nullptr) return nullptr;
   if (!garment->has_fabric) {
     session_.report.add(
         Problem("E0409", fmt::format("garment `{}` is draped, but not told what it is made of", garment->draft.name))
-            .at(module().at(*garment_expr), "draped here")
+            .at(module().at(expr), "draped here")
             .also(garment->draft.written, "no fabric here")
             .help(fmt::format("garment {} in fabrics.wool_serge {{ ... }}", garment->draft.name)));
-    return;
+    return nullptr;
   }
   if (garment->drawn_on != nullptr) {
     session_.report.add(
         Problem("E0511", fmt::format("garment `{}` is drawn on `{}`: it has no flat pattern yet that could be draped",
                                      garment->draft.name, garment->drawn_on->spec.name))
-            .at(module().at(*garment_expr), "draped here")
+            .at(module().at(expr), "draped here")
             .also(garment->draft.written, "drawn on the body")
             .help(fmt::format("develop {} as flat", garment->draft.name)));
-    return;
+    return nullptr;
   }
-  if (sound) check_bodies(drape, *garment, body.get());
-  if (!sound || garment->index < 0) return;
-  made.garment = garment->index;
-  made.body = body == nullptr ? -1 : index_of(session_, *body);
-  planned.command = made;
+  return garment;
 }
 
 bool Commands::put_the_wrong_way_round(const syntax::Drape& drape) {
@@ -163,7 +174,10 @@ std::set<int> Commands::garments() const {
   std::set<int> found;
   for (const Planned& planned : planned_) {
     if (!planned.command) continue;
-    if (const auto* drape = std::get_if<DrapeCommand>(&*planned.command)) found.insert(drape->garment);
+    if (const auto* drape = std::get_if<DrapeCommand>(&*planned.command)) {
+      found.insert(drape->garment);
+      found.insert(drape->over.begin(), drape->over.end());
+    }
     if (const auto* develop = std::get_if<DevelopCommand>(&*planned.command)) found.insert(develop->garment);
     if (const auto* flat = std::get_if<ExportCommand>(&*planned.command); flat != nullptr && flat->garment) {
       found.insert(*flat->garment);

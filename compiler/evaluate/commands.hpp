@@ -36,6 +36,8 @@ class Commands {
   };
 
   void check_drape(Planned& planned, const syntax::Drape& drape);
+  /// The garment that is draped, or over which another one is; null where it has no cloth yet, which is reported.
+  const GarmentInstance* draped_garment(const syntax::Expr& expr);
   void check_bodies(const syntax::Drape& drape, const GarmentInstance& garment, const BodyInstance* body);
   /// `drape form on skirt`: reported.
   bool put_the_wrong_way_round(const syntax::Drape& drape);

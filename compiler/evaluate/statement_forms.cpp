@@ -26,7 +26,7 @@ constexpr std::array forms{
     Form{"cut", "cut 2 mirrored"},
     Form{"dart", "dart NAME at PLACE of EDGE { width 3cm, depth 9cm }"},
     Form{"develop", "develop GARMENT as NAME until within 3mm"},
-    Form{"drape", "drape GARMENT on BODY as NAME"},
+    Form{"drape", "drape GARMENT on BODY as NAME, or: drape JACKET over SHIRT on BODY as NAME"},
     Form{"drill", "drill at POINT"},
     Form{"expect", "expect VALUE < VALUE"},
     Form{"export", "export NAME to \"file.svg\""},

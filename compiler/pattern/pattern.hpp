@@ -123,6 +123,7 @@ struct Piece {
   std::string label;               // what is written on it
   std::optional<ChartSpec> chart;  // drawn on a body: what stands here is in the chart, and is to be developed
   Location written;
+  int layer = 0;  // of garments worn over each other, from the inside out: Garment::layers
 
   /// All edges in one numbering: those of the outline, then those of the holes, hole by hole, then those of the lines.
   int edge_count() const;
@@ -189,6 +190,13 @@ struct Arrangement {
   Location written;
 };
 
+/// One of several garments that are worn over each other and draped as one.
+struct WornLayer {
+  std::string name;
+  FabricSheet fabric;
+  Textile textile;
+};
+
 struct Garment {
   std::string name;
   std::vector<Piece> pieces;
@@ -199,6 +207,14 @@ struct Garment {
   Textile textile;
   std::string drawn_on;  // the body that its pieces are drawn on; empty for a pattern that is drawn flat
   Location written;
+  std::vector<WornLayer> layers{};  // from the inside out; empty for a garment that is worn alone
+
+  /// The fabrics that its cloth is made of, one a layer.
+  std::vector<FabricSheet> fabrics() const;
 };
+
+/// Garments that are worn over each other as one, the innermost first. Pieces are called by their garment:
+/// "shirt.front".
+Garment worn_over_each_other(const std::vector<Garment>& inside_out);
 
 }  // namespace toile

@@ -280,6 +280,7 @@ PMesh GarmentMesher::mesh() {
     for (const auto& [a, b, c] : t.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
     mesh.piece_of_triangle.resize(mesh.triangles.size(), id);
     mesh.warp_of_piece.push_back(garment_.pieces[id].warp);
+    mesh.layer_of_piece.push_back(garment_.pieces[id].layer);
 
     auto& edge_nodes = mesh.edge_nodes.emplace_back();
     for (const auto& loop : division_.bundles().loops[id]) {

@@ -15,11 +15,27 @@ constexpr double least_approach = 0.8;  // of its clearance a point may move bef
 constexpr double least_share = 0.5, greatest_share = 2;  // of its area at rest that a triangle is taken with
 
 /// Corners of all triangles, middles of edges, middles of triangles, in this order; without areas yet.
-std::vector<ContactPoint> contact_points(const Cloth& cloth) {
+std::vector<ContactPoint> contact_points(const Cloth& cloth, const std::vector<double>& gaps,
+                                         const std::vector<double>& frictions) {
   std::vector<ContactPoint> points;
-  for (int v = 0; v < cloth.vertex_count; ++v) points.push_back({{v}, 1, 0});
-  for (const SMesh::Edge& edge : cloth.edges) points.push_back({{edge.vertices[0], edge.vertices[1]}, 2, 0});
-  for (const ClothTriangle& triangle : cloth.triangles) points.push_back({triangle.vertices, 3, 0});
+  const auto edges = static_cast<std::size_t>(cloth.vertex_count);
+  const std::size_t triangles = edges + static_cast<std::size_t>(cloth.edge_count);
+  points.reserve(triangles + cloth.triangles.size());
+  for (int v = 0; v < cloth.vertex_count; ++v) points.push_back({.vertices = {v}, .count = 1});
+  for (const SMesh::Edge& edge : cloth.edges) {
+    points.push_back({.vertices = {edge.vertices[0], edge.vertices[1]}, .count = 2});
+  }
+  for (const ClothTriangle& triangle : cloth.triangles) points.push_back({.vertices = triangle.vertices, .count = 3});
+  const auto made_of = [&](std::size_t point, int fabric) {
+    points[point].gap = std::max(points[point].gap, gaps[static_cast<std::size_t>(fabric)]);
+    points[point].friction = std::max(points[point].friction, frictions[static_cast<std::size_t>(fabric)]);
+  };
+  for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
+    const ClothTriangle& triangle = cloth.triangles[t];
+    for (const int v : triangle.vertices) made_of(static_cast<std::size_t>(v), triangle.fabric);
+    for (const int e : triangle.edges) made_of(edges + static_cast<std::size_t>(e), triangle.fabric);
+    made_of(triangles + t, triangle.fabric);
+  }
   return points;
 }
 
@@ -45,12 +61,16 @@ double slip_at(double share) {
 }  // namespace
 
 BodyContact::BodyContact(const Cloth& cloth, const Body& body, double gap, double friction)
+    : BodyContact(cloth, body, std::vector<double>(static_cast<std::size_t>(cloth.fabric_count()), gap),
+                  std::vector<double>(static_cast<std::size_t>(cloth.fabric_count()), friction)) {}
+
+BodyContact::BodyContact(const Cloth& cloth, const Body& body, const std::vector<double>& gaps,
+                         const std::vector<double>& frictions)
     : cloth_(cloth),
       body_(body),
       vertices_(cloth.vertex_count),
-      gap_(gap),
-      friction_(friction),
-      points_(contact_points(cloth)),
+      rubs_(std::ranges::max(frictions) > 0),
+      points_(contact_points(cloth, gaps, frictions)),
       grips_(points_.size()),
       touches_(points_.size()),
       leeway_(points_.size()) {
@@ -103,11 +123,12 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const Vector& q) con
       Leeway& leeway = leeway_[i];
       if ((at - leeway.at).norm() < leeway.free) continue;
       const std::optional<Clearance> clear = body_.clearance(to_vec3(at), reach);
-      leeway = {at, least_approach * ((clear ? clear->distance : reach) - gap_)};
-      if (!clear || clear->distance >= gap_) continue;
+      const double gap = points_[i].gap;
+      leeway = {at, least_approach * ((clear ? clear->distance : reach) - gap)};
+      if (!clear || clear->distance >= gap) continue;
       Matrix3 curvature;
       for (int k = 0; k < 3; ++k) curvature.row(k) = to_eigen(clear->hessian[static_cast<std::size_t>(k)]);
-      touches_[i] = {true, gap_ - clear->distance, to_eigen(clear->gradient), curvature};
+      touches_[i] = {true, gap - clear->distance, to_eigen(clear->gradient), curvature};
     }
   });
   return touches_;
@@ -187,7 +208,7 @@ void BodyContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix
 
 void BodyContact::accept(const Vector& q) {
   measure_areas(q);
-  if (friction_ == 0) return;
+  if (!rubs_) return;
   const std::vector<Touch>& touches = this->touches(q);
   for (std::size_t i = 0; i < points_.size(); ++i) {
     Grip& grip = grips_[i];
@@ -201,7 +222,7 @@ void BodyContact::accept(const Vector& q) {
     Vector3 force = grip.holds ? pull(grip, at) : Vector3::Zero();
     grip.holds = true;
     grip.normal = touches[i].normal.normalized();
-    grip.limit = friction_ * stiffness_ * touches[i].depth * points_[i].area;
+    grip.limit = points_[i].friction * stiffness_ * touches[i].depth * points_[i].area;
     force -= force.dot(grip.normal) * grip.normal;
     const double size = force.norm();
     grip.anchor = at;

@@ -18,6 +18,8 @@ struct ContactPoint {
   std::array<int, 3> vertices{};  // the place is their mean
   int count = 1;                  // how many of them: 1, 2 or 3
   double area = 0;                // [m2] of the cloth as it lay at the solver's latest rest
+  double gap = 0;                 // [m]
+  double friction = 0;            // [1]
 };
 
 struct ContactForces {
@@ -30,8 +32,10 @@ struct ContactForces {
 
 class BodyContact : public Form {
  public:
-  /// `gap` [m]: half the cloth's thickness, the distance at which its middle surface touches.
+  /// `gap` [m]: half the cloth's thickness, the distance at which its middle surface touches; of each of its fabrics.
   /// The cloth and the body must outlive it.
+  BodyContact(const Cloth& cloth, const Body& body, const std::vector<double>& gaps,
+              const std::vector<double>& frictions);
   BodyContact(const Cloth& cloth, const Body& body, double gap, double friction);
 
   /// Pressure per depth [N/m3].
@@ -79,8 +83,7 @@ class BodyContact : public Form {
   const Cloth& cloth_;
   const Body& body_;
   int vertices_ = 0;
-  double gap_ = 0;
-  double friction_ = 0;
+  bool rubs_ = false;
   double stiffness_ = 1e6;
   std::vector<ContactPoint> points_;
   std::vector<Grip> grips_;

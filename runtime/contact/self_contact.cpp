@@ -20,8 +20,18 @@ constexpr double parallel = 1e-2;
 // Of the gap: what is nearer still was so at the start and coincides; no force has a direction there.
 constexpr double coincident = 1e-6;
 
-std::vector<double> gaps(const Cloth& cloth, double gap) {
-  std::vector<double> gaps(index(cloth.vertex_count), gap);
+/// Of each vertex, the gap that its fabric would have.
+std::vector<double> wanted_gaps(const Cloth& cloth, const std::vector<double>& of_fabric) {
+  std::vector<double> gaps(index(cloth.vertex_count), 0.0);
+  for (const ClothTriangle& triangle : cloth.triangles) {
+    for (const int v : triangle.vertices) gaps[index(v)] = std::max(gaps[index(v)], of_fabric[index(triangle.fabric)]);
+  }
+  return gaps;
+}
+
+/// And the widest that the triangles about it let it have.
+std::vector<double> widest_gaps(const Cloth& cloth, double widest) {
+  std::vector<double> gaps(index(cloth.vertex_count), widest);
   for (const ClothTriangle& triangle : cloth.triangles) {
     const double twice_area = std::abs(cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]));
     double longest = 0;
@@ -73,10 +83,14 @@ Share share_of(double crossing, double full) {
 }  // namespace
 
 SelfContact::SelfContact(const Cloth& cloth, double gap, double pressure)
+    : SelfContact(cloth, std::vector<double>(index(cloth.fabric_count()), gap), pressure) {}
+
+SelfContact::SelfContact(const Cloth& cloth, const std::vector<double>& gaps, double pressure)
     : cloth_(cloth),
       pressure_(pressure),
-      widest_gap_(gap),
-      gap_(gaps(cloth, gap)),
+      widest_gap_(std::ranges::max(gaps)),
+      gap_(wanted_gaps(cloth, gaps)),
+      widest_(widest_gaps(cloth, widest_gap_)),
       area_of_edge_(edge_areas(cloth)),
       square_of_edge_(edge_squares(cloth)),
       slack_(share_of_edge * mean_length(square_of_edge_)) {}
@@ -88,8 +102,9 @@ void SelfContact::leave_out(std::vector<bool> vertices) {
 }
 
 double SelfContact::gap_of(const Pair& pair) const {
-  double gap = widest_gap_;
-  for (const int v : pair.vertices) gap = std::min(gap, gap_[index(v)]);
+  // The first vertex is of the one side, the last of the other.
+  double gap = 0.5 * (gap_[index(pair.vertices.front())] + gap_[index(pair.vertices.back())]);
+  for (const int v : pair.vertices) gap = std::min(gap, widest_[index(v)]);
   return gap;
 }
 

@@ -17,8 +17,9 @@ namespace toile {
 /// every step is cut to its free fraction.
 class SelfContact : public Form {
  public:
-  /// `gap` [m]: distance at which layers touch; less where triangles are small beside it. `pressure` [Pa]: about three
-  /// times of it press two layers to half their distance.
+  /// `gap` [m]: distance at which layers touch, of each fabric, between two the mean; less where triangles are small
+  /// beside it. `pressure` [Pa]: about three times of it press two layers to half their distance.
+  SelfContact(const Cloth& cloth, const std::vector<double>& gaps, double pressure);
   SelfContact(const Cloth& cloth, double gap, double pressure);
 
   /// Vertices about crossings that could not be undone: between them contact would keep the cloth crossed, and is left
@@ -63,6 +64,7 @@ class SelfContact : public Form {
   double pressure_;
   double widest_gap_;
   std::vector<double> gap_;             // [m] per vertex
+  std::vector<double> widest_;          // [m] per vertex: what the gap is at most for the size of its triangles
   std::vector<bool> left_out_;          // per vertex; empty: none
   std::vector<double> area_of_edge_;    // [m2]
   std::vector<double> square_of_edge_;  // [m2] of its length

@@ -70,13 +70,16 @@ Contact contact(const ClothState& state, const Vector& gradient, const std::vect
 }
 
 void describe_triangles(const ClothState& state, Drape& drape) {
-  for (const MembraneStrain& strain : state.elastic.strains(state.q)) {
+  const std::vector<MembraneStrain> strains = state.elastic.strains(state.q);
+  for (std::size_t t = 0; t < strains.size(); ++t) {
+    const MembraneStrain& strain = strains[t];
+    const FabricLaw& law = state.laws[static_cast<std::size_t>(state.cloth.triangles[t].fabric)];
     drape.strain_warp.push_back(strain.warp);
     drape.strain_weft.push_back(strain.weft);
     drape.shear_angle.push_back(strain.shear);
-    drape.stress_warp.push_back(state.law.warp(strain.warp).force);
-    drape.stress_weft.push_back(state.law.weft(strain.weft).force);
-    drape.stress_shear.push_back(state.law.shear(strain.shear).force);
+    drape.stress_warp.push_back(law.warp(strain.warp).force);
+    drape.stress_weft.push_back(law.weft(strain.weft).force);
+    drape.stress_shear.push_back(law.shear(strain.shear).force);
   }
   for (const Curvatures& k : state.elastic.curvatures(state.q)) {
     drape.curvature_warp.push_back(k.warp);

@@ -15,7 +15,7 @@ namespace toile {
 /// The energy's terms and where they stand.
 struct ClothState {
   const Cloth& cloth;
-  const FabricLaw& law;
+  const std::vector<FabricLaw>& laws;  // of each fabric
   const ElasticForm& elastic;
   const GravityForm* gravity;  // null: weightless
   const BodyContact* contact;  // null: no body

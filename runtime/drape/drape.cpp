@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <numeric>
 
 #include "runtime/contact/body_contact.hpp"
 #include "runtime/contact/self_contact.hpp"
@@ -21,7 +22,13 @@ namespace {
 
 constexpr double untangling_rate = 1e4;                             // [1/s2] how far a push against a crossing spreads
 constexpr double untangling_step = 0.05;                            // of the mean edge
+constexpr double free_accuracy = 0.05;  // of a cloth that may still pass through itself
+constexpr int free_iterations = 120;
+constexpr int free_rounds = 5;
 constexpr double lowest_rest_lift = 1e-2, highest_rest_lift = 1e8;  // [1/s2]
+constexpr double usual_extent = 2;  // [m] of what the solver's longest step is meant for
+// Of a vertex's weight: what a force is measured by where there is neither gravity nor tension, as in a flat cloth.
+constexpr double weightless_scale = 1e-6;
 constexpr double carried_rate = 30;  // [1/s2] a form that was carried over needs little holding back
 
 std::vector<int> reduced_unknowns(const ClothUnknowns& unknowns, const std::vector<int>& held) {
@@ -36,10 +43,27 @@ std::vector<int> reduced_unknowns(const ClothUnknowns& unknowns, const std::vect
   return reduced;
 }
 
-std::vector<double> vertex_masses(const Cloth& cloth, double weight) {
-  std::vector<double> masses;
-  masses.reserve(cloth.area_of_vertex.size());
-  for (const double area : cloth.area_of_vertex) masses.push_back(weight * area);
+std::vector<FabricLaw> laws_of(const std::vector<FabricSheet>& fabrics, double membrane) {
+  std::vector<FabricLaw> laws;
+  laws.reserve(fabrics.size());
+  for (const FabricSheet& fabric : fabrics) laws.push_back(softened(make_law(fabric), membrane));
+  return laws;
+}
+
+/// One value of each fabric.
+std::vector<double> each(const std::vector<FabricLaw>& laws, double FabricLaw::*value) {
+  std::vector<double> values;
+  values.reserve(laws.size());
+  for (const FabricLaw& law : laws) values.push_back(law.*value);
+  return values;
+}
+
+std::vector<double> vertex_masses(const Cloth& cloth, const std::vector<FabricLaw>& laws) {
+  std::vector<double> masses(cloth.area_of_vertex.size(), 0.0);
+  for (const ClothTriangle& triangle : cloth.triangles) {
+    const double area = 0.5 * cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]);
+    for (const int v : triangle.vertices) masses[index(v)] += laws[index(triangle.fabric)].weight * area / 3;
+  }
   return masses;
 }
 
@@ -57,26 +81,27 @@ void disturb(Vector& q, const std::vector<int>& reduced, int vertices, double am
 /// Everything of one drape that the solvers and the result share.
 class Draping {
  public:
-  Draping(const Cloth& cloth, const FabricSheet& fabric, const Body* body, const Placed& start,
+  Draping(const Cloth& cloth, const std::vector<FabricSheet>& fabrics, const Body* body, const Placed& start,
           const DrapeOptions& options)
       : cloth_(cloth),
-        law_(softened(make_law(fabric), options.membrane)),
+        laws_(laws_of(fabrics, options.membrane)),
         options_(options),
-        elastic_(cloth, law_),
-        gravity_(vertex_masses(cloth, law_.weight)),
-        layers_(cloth, std::max(law_.thickness, options.least_gap), law_.pressure),
+        elastic_(cloth, laws_),
+        gravity_(vertex_masses(cloth, laws_)),
+        layers_(cloth, layer_gaps(), std::ranges::max(each(laws_, &FabricLaw::pressure))),
         matrix_(reduced_unknowns(elastic_.unknowns(), start.held), elastic_.couplings()) {
     if (body != nullptr) {
-      contact_ = std::make_unique<BodyContact>(cloth, *body, law_.thickness / 2,
-                                               options.friction ? body->spec().friction.value_or(law_.friction) : 0);
+      contact_ = std::make_unique<BodyContact>(cloth, *body, half_thicknesses(), frictions(*body));
       stiffness_ = body->spec().softness;
     }
     q_ = Vector::Zero(elastic_.unknowns().count());
     for (int v = 0; v < cloth.vertex_count; ++v) {
       q_.segment<3>(3 * v) = to_eigen(start.positions[static_cast<std::size_t>(v)]);
     }
+    const auto coordinates = q_.head(3 * cloth.vertex_count).reshaped(3, cloth.vertex_count);
+    extent_ = (coordinates.rowwise().maxCoeff() - coordinates.rowwise().minCoeff()).norm();
     if (!options.carried_over) disturb(q_, matrix_.reduced(), cloth.vertex_count, 0.02 * mean_edge());
-    weight_per_vertex_ = weighs() ? gravity_.weight() / std::max(cloth.vertex_count, 1) : 0;
+    weight_per_vertex_ = (weighs() ? 1 : weightless_scale) * gravity_.weight() / std::max(cloth.vertex_count, 1);
   }
 
   Drape run(const Job& job);
@@ -85,6 +110,22 @@ class Draping {
   bool weighs() const { return options_.gravity; }
   /// The paper's method moves every variable by itself and knows nothing of crossings.
   bool layered() const { return options_.solver == DrapeOptions::Solver::Newton; }
+  /// At which the layers of each fabric touch.
+  std::vector<double> layer_gaps() const {
+    std::vector<double> gaps = each(laws_, &FabricLaw::thickness);
+    for (double& gap : gaps) gap = std::max(gap, options_.least_gap);
+    return gaps;
+  }
+  std::vector<double> half_thicknesses() const {
+    std::vector<double> halves = each(laws_, &FabricLaw::thickness);
+    for (double& half : halves) half /= 2;
+    return halves;
+  }
+  std::vector<double> frictions(const Body& body) const {
+    if (!options_.friction) return std::vector<double>(laws_.size(), 0.0);
+    if (body.spec().friction) return std::vector<double>(laws_.size(), *body.spec().friction);
+    return each(laws_, &FabricLaw::friction);
+  }
   double mean_edge() const {
     return std::sqrt(4 / std::sqrt(3.0) * cloth_.area /
                      static_cast<double>(std::max<std::size_t>(cloth_.triangles.size(), 1)));
@@ -97,6 +138,11 @@ class Draping {
   double relative_residual(const Vector& gradient, const Vector& q) const;
   /// Out of the crossings of the start, which contact would keep.
   void untangle(const Job& job);
+  /// The pairs of triangles that still cross.
+  int pull_apart(const Job& job);
+  /// Towards rest with layers that pass through each other: about limbs and at rest, cloth lies as it is sewn.
+  void settle_freely(const Job& job);
+  NewtonProblem problem(std::vector<Form*> forms);
   /// Gives the matrix places for the layers that touch at q.
   void fit(const Vector& q);
   /// Puts the matrix into an order that keeps its factor sparse.
@@ -107,7 +153,7 @@ class Draping {
   NewtonOutcome solve_okabe(const Job& job);
 
   const Cloth& cloth_;
-  FabricLaw law_;
+  std::vector<FabricLaw> laws_;  // of each fabric
   const DrapeOptions& options_;
   ElasticForm elastic_;
   GravityForm gravity_;
@@ -117,6 +163,7 @@ class Draping {
   Cholesky cholesky_;
   double stiffness_ = 0;
   double weight_per_vertex_ = 0;
+  double extent_ = 0;  // [m] of the cloth's start
   Vector q_;
 };
 
@@ -129,12 +176,12 @@ std::vector<Form*> Draping::forms() {
 }
 
 std::vector<double> Draping::inertia() const {
-  const std::vector<double> masses = vertex_masses(cloth_, law_.weight);
+  const std::vector<double> masses = vertex_masses(cloth_, laws_);
   std::vector<double> inertia;
   for (const double mass : masses) inertia.insert(inertia.end(), 3, mass);
   // A rotation is as heavy as the cloth about its edge.
   const double arm = mean_edge();
-  const double mean_mass = law_.weight * cloth_.area / std::max(cloth_.edge_count, 1);
+  const double mean_mass = std::accumulate(masses.begin(), masses.end(), 0.0) / std::max(cloth_.edge_count, 1);
   inertia.resize(static_cast<std::size_t>(elastic_.unknowns().count()), 0.1 * mean_mass * arm * arm);
   return inertia;
 }
@@ -147,14 +194,37 @@ double Draping::relative_residual(const Vector& gradient, const Vector& q) const
 }
 
 void Draping::untangle(const Job& job) {
+  int fewest = pull_apart(job);
+  Vector best = q_;
+  for (int round = 0; round < free_rounds && fewest > 0 && !job.is_cancelled(); ++round) {
+    settle_freely(job);
+    const int pairs = pull_apart(job);
+    if (pairs >= fewest && round > 0) break;
+    if (pairs > fewest) continue;
+    fewest = pairs;
+    best = q_;
+  }
+  q_ = best;
+  if (fewest > 0) layers_.leave_out(about_crossings(cloth_, q_));
+}
+
+int Draping::pull_apart(const Job& job) {
   const auto readily = [this](const Vector& force) {
     matrix_.set_zero();
     elastic_.add_hessian(q_, Curvature::PositiveDefinite, matrix_);
     matrix_.add_diagonal(inertia(), untangling_rate);
     return cholesky_.factorise(matrix_) ? cholesky_.solve_free(matrix_, force) : force;
   };
-  const int left = toile::untangle(cloth_, readily, untangling_step * mean_edge(), job, q_);
-  if (left > 0) layers_.leave_out(about_crossings(cloth_, q_));
+  return toile::untangle(cloth_, readily, untangling_step * mean_edge(), job, q_);
+}
+
+void Draping::settle_freely(const Job& job) {
+  if (contact_) contact_->set_stiffness(stiffness_);
+  std::vector<Form*> freely = forms();
+  std::erase(freely, &layers_);
+  NewtonOptions options{.tolerance = free_accuracy, .max_iterations = free_iterations};
+  options.longest_step *= std::max(1.0, extent_ / usual_extent);
+  newton(problem(std::move(freely)), options, job, q_);
 }
 
 void Draping::fit(const Vector& q) {
@@ -178,20 +248,24 @@ double Draping::uncarried(const Vector& gradient) const {
   return sum;
 }
 
+NewtonProblem Draping::problem(std::vector<Form*> forms) {
+  return {std::move(forms),
+          &matrix_,
+          &cholesky_,
+          inertia(),
+          3 * cloth_.vertex_count,
+          [this](const Vector& gradient, const Vector& q) { return relative_residual(gradient, q); },
+          [this](const Vector& q) { fit(q); }};
+}
+
 NewtonOutcome Draping::solve_newton(const Job& job) {
   analyse();
   untangle(job);
-  NewtonProblem problem{forms(),
-                        &matrix_,
-                        &cholesky_,
-                        inertia(),
-                        3 * cloth_.vertex_count,
-                        [this](const Vector& gradient, const Vector& q) { return relative_residual(gradient, q); },
-                        [this](const Vector& q) { fit(q); }};
   if (contact_) contact_->set_stiffness(stiffness_);
   NewtonOptions newton_options{.tolerance = options_.accuracy, .max_iterations = options_.max_iterations};
+  newton_options.longest_step *= std::max(1.0, extent_ / usual_extent);
   if (options_.carried_over) newton_options.rate = carried_rate;
-  return newton(problem, newton_options, job, q_);
+  return newton(problem(forms()), newton_options, job, q_);
 }
 
 NewtonOutcome Draping::solve_okabe(const Job& job) {
@@ -235,7 +309,7 @@ void Draping::show_rest() {
     for (const Form* form : forms()) form->add_hessian(q_, Curvature::Full, matrix_);
     matrix_.add_diagonal(inertia(), lift);
     if (!cholesky_.factorise(matrix_)) continue;
-    options_.at_rest({elastic_, q_, weighs() ? standard_gravity * law_.weight : 0,
+    options_.at_rest({elastic_, q_, weighs() ? gravity_.weight() / cloth_.area : 0,
                       [this](const Vector& load) { return cholesky_.solve_free(matrix_, load); }});
     return;
   }
@@ -244,7 +318,7 @@ void Draping::show_rest() {
 Drape Draping::run(const Job& job) {
   const NewtonOutcome outcome = options_.solver == DrapeOptions::Solver::Okabe ? solve_okabe(job) : solve_newton(job);
   if (options_.at_rest && outcome.converged && layered()) show_rest();
-  Drape drape = describe({cloth_, law_, elastic_, weighs() ? &gravity_ : nullptr, contact_.get(),
+  Drape drape = describe({cloth_, laws_, elastic_, weighs() ? &gravity_ : nullptr, contact_.get(),
                           layered() ? &layers_ : nullptr, matrix_.reduced(), q_});
   drape.converged = outcome.converged;
   drape.cancelled = outcome.cancelled;
@@ -258,9 +332,14 @@ Drape Draping::run(const Job& job) {
 
 }  // namespace
 
+Drape drape(const Cloth& cloth, const std::vector<FabricSheet>& fabrics, const Body* body, const Placed& start,
+            const DrapeOptions& options, const Job& job) {
+  return Draping(cloth, fabrics, body, start, options).run(job);
+}
+
 Drape drape(const Cloth& cloth, const FabricSheet& fabric, const Body* body, const Placed& start,
             const DrapeOptions& options, const Job& job) {
-  return Draping(cloth, fabric, body, start, options).run(job);
+  return drape(cloth, std::vector<FabricSheet>(index(cloth.fabric_count()), fabric), body, start, options, job);
 }
 
 }  // namespace toile

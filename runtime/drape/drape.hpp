@@ -75,7 +75,10 @@ struct Drape {
   std::vector<double> pressure;  // per vertex [Pa], 0 where nothing touches
 };
 
-/// Always returns finite positions; says in `converged` and `trouble` how it ended.
+/// Always returns finite positions; says in `converged` and `trouble` how it ended. A sheet for each fabric of the
+/// cloth.
+Drape drape(const Cloth& cloth, const std::vector<FabricSheet>& fabrics, const Body* body, const Placed& start,
+            const DrapeOptions& options, const Job& job);
 Drape drape(const Cloth& cloth, const FabricSheet& fabric, const Body* body, const Placed& start,
             const DrapeOptions& options, const Job& job);
 

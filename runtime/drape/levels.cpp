@@ -59,8 +59,8 @@ std::vector<double> level_edges(double finest_edge, int triangles) {
 }
 
 DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vector<Wear>& wears,
-                          const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
-                          const DrapeOptions& options, const Job& job) {
+                          const std::vector<ArrangedPiece>& arranged, const std::vector<FabricSheet>& fabrics,
+                          const Body* body, const DrapeOptions& options, const Job& job) {
   std::vector<DrapeLevel> levels = meshes;
   // Pieces that are arranged start far from rest: a mesh without a coarser one goes first as its own, softened.
   if (levels.size() == 1 && !arranged.empty()) levels.push_back(levels.front());
@@ -84,7 +84,7 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vect
       own.least_gap = coarse_gap * mean_edge(*at.cloth);
     }
     const double ready = seconds();
-    result.drape = drape(*at.cloth, fabric, body, placed, own, job);
+    result.drape = drape(*at.cloth, fabrics, body, placed, own, job);
     result.place_seconds += ready - started;
     result.solve_seconds += seconds() - ready;
     iterations += result.drape.iterations;
@@ -93,7 +93,7 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vect
       // A usable partial result: the form so far on the mesh that was asked for.
       const DrapeLevel& last = levels.back();
       const Placed start{carry_over(*at.mesh, result.drape.positions, *last.mesh), {}, {}};
-      result.drape = drape(*last.cloth, fabric, body, start, own, job);
+      result.drape = drape(*last.cloth, fabrics, body, start, own, job);
       break;
     }
   }
@@ -103,8 +103,8 @@ DrapedLevels drape_levels(const std::vector<DrapeLevel>& meshes, const std::vect
 }
 
 DrapedLevels drape_from(const std::vector<Vec3>& start, const DrapeLevel& mesh, const std::vector<Wear>& wears,
-                        const std::vector<ArrangedPiece>& arranged, const FabricSheet& fabric, const Body* body,
-                        const DrapeOptions& options, const Job& job) {
+                        const std::vector<ArrangedPiece>& arranged, const std::vector<FabricSheet>& fabrics,
+                        const Body* body, const DrapeOptions& options, const Job& job) {
   DrapedLevels result;
   const double started = seconds();
   Placed placed = place(*mesh.mesh, *mesh.cloth, worn_lines(*mesh.mesh, wears), arranged, body);
@@ -115,7 +115,7 @@ DrapedLevels drape_from(const std::vector<Vec3>& start, const DrapeLevel& mesh, 
   own.carried_over = true;
   own.max_iterations = std::min(options.max_iterations, iterations_near_rest);
   const double ready = seconds();
-  result.drape = drape(*mesh.cloth, fabric, body, placed, own, job);
+  result.drape = drape(*mesh.cloth, fabrics, body, placed, own, job);
   result.place_seconds = ready - started;
   result.solve_seconds = seconds() - ready;
   return result;

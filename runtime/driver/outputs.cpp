@@ -145,13 +145,24 @@ const std::vector<std::string>& view_names() {
 }
 
 std::string picture(const Draped& draped, const PictureRequest& request) {
-  DressedCloth dressed{&draped.made->cloth, &draped.drape.positions, draped.made->garment.textile, std::nullopt};
-  if (!request.field.empty()) dressed.shown = field(request.field, draped.made->cloth, draped.drape);
+  const Garment& garment = draped.made->garment;
+  std::vector<DressedCloth> dressed;
+  const DressedCloth all{&draped.made->cloth, &draped.drape.positions, garment.textile, std::nullopt};
+  if (!request.field.empty()) {
+    dressed.push_back(all);
+    dressed.back().shown = field(request.field, draped.made->cloth, draped.drape);
+  }
+  for (std::size_t layer = 0; request.field.empty() && layer < garment.layers.size(); ++layer) {
+    dressed.push_back(all);
+    dressed.back().textile = garment.layers[layer].textile;
+    dressed.back().only = static_cast<int>(layer);
+  }
+  if (dressed.empty()) dressed.push_back(all);
   RenderOptions options;
   options.width = request.width;
   options.height = request.height;
   options.view = request.view;
-  return png(render({dressed}, draped.body.get(), options));
+  return png(render(dressed, draped.body.get(), options));
 }
 
 }  // namespace toile

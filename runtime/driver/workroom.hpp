@@ -55,7 +55,9 @@ class Workroom {
   std::optional<Command> next();
 
   /// A garment of the program, meshed and sewn once; null when that was interrupted or its cloth cannot be had.
-  std::shared_ptr<const MadeGarment> make(int garment);
+  std::shared_ptr<const MadeGarment> make(int garment) { return make(std::vector<int>{garment}); }
+  /// Several that are worn over each other, from the outside in, as one.
+  std::shared_ptr<const MadeGarment> make(const std::vector<int>& outside_in);
   /// Places and solves; nullopt when that is not possible or was interrupted, which has then been said.
   std::optional<Draped> drape(const DrapeCommand& command);
   /// The same for the pattern of a development, from the form on which it was drawn.
@@ -103,7 +105,7 @@ class Workroom {
   void note_strain(const DevelopCommand& command, const Developed& developed);
   void note_development(const DevelopCommand& command, const Developed& developed);
   /// The meshes that draping begins on, the coarsest first.
-  const std::vector<CoarseGarment>& coarse(int garment, const MadeGarment& made);
+  const std::vector<CoarseGarment>& coarse(const std::vector<int>& outside_in, const MadeGarment& made);
   DrapeOptions drape_options(const DrapeCommand& command) const;
   /// From the placed pieces, through the coarse meshes.
   DrapedLevels drape_cold(const DrapeCommand& command, const Draped& draped);
@@ -120,8 +122,8 @@ class Workroom {
   std::unique_ptr<FileWorld> world_;
   std::unique_ptr<Program> program_;
   std::size_t passed_on_ = 0;
-  std::map<int, std::shared_ptr<const MadeGarment>> made_;
-  std::map<int, std::vector<CoarseGarment>> coarse_;
+  std::map<std::vector<int>, std::shared_ptr<const MadeGarment>> made_;  // by their garments, from the outside in
+  std::map<std::vector<int>, std::vector<CoarseGarment>> coarse_;
   DrapeStore kept_{DrapeStore::usual_folder()};
   Outcome outcome_;
   Profile profile_;

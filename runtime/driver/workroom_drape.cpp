@@ -6,15 +6,29 @@
 
 namespace toile {
 
-std::shared_ptr<const MadeGarment> Workroom::make(int garment) {
-  if (const auto found = made_.find(garment); found != made_.end()) return found->second;
+namespace {
+
+/// The garments that are draped as one, from the outside in.
+std::vector<int> worn(const DrapeCommand& command) {
+  std::vector<int> outside_in{command.garment};
+  outside_in.insert(outside_in.end(), command.over.begin(), command.over.end());
+  return outside_in;
+}
+
+}  // namespace
+
+std::shared_ptr<const MadeGarment> Workroom::make(const std::vector<int>& outside_in) {
+  if (const auto found = made_.find(outside_in); found != made_.end()) return found->second;
   auto made = std::make_shared<MadeGarment>();
-  made->garment = program_->garments()[static_cast<std::size_t>(garment)];
-  if (options_.fabric) {
+  std::vector<Garment> inside_out;
+  for (auto number = outside_in.rbegin(); number != outside_in.rend(); ++number) {
+    inside_out.push_back(program_->garments()[static_cast<std::size_t>(*number)]);
+    if (!options_.fabric) continue;
     std::optional<FabricSheet> fabric = fabric_called(*options_.fabric, "--fabric ");
     if (!fabric) return nullptr;
-    made->garment.fabric = *std::move(fabric);
+    inside_out.back().fabric = *std::move(fabric);
   }
+  made->garment = worn_over_each_other(inside_out);
   {
     const Stopwatch watch(profile_.mesh_s);
     made->mesh_options.target_edge = edge_for_triangles(made->garment, options_.triangles);
@@ -22,12 +36,12 @@ std::shared_ptr<const MadeGarment> Workroom::make(int garment) {
     made->cloth = make_cloth(made->mesh);
   }
   if (interrupted()) return nullptr;
-  made_.emplace(garment, made);
+  made_.emplace(outside_in, made);
   return made;
 }
 
-const std::vector<CoarseGarment>& Workroom::coarse(int garment, const MadeGarment& made) {
-  const auto [found, is_new] = coarse_.try_emplace(garment);
+const std::vector<CoarseGarment>& Workroom::coarse(const std::vector<int>& outside_in, const MadeGarment& made) {
+  const auto [found, is_new] = coarse_.try_emplace(outside_in);
   std::vector<CoarseGarment>& coarse = found->second;
   if (!is_new) return coarse;
   const Stopwatch watch(profile_.mesh_s);
@@ -98,7 +112,7 @@ DrapeOptions Workroom::drape_options(const DrapeCommand& command) const {
 
 std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
   Draped draped;
-  draped.made = make(command.garment);
+  draped.made = make(worn(command));
   if (!draped.made) return std::nullopt;
   if (command.body >= 0) {
     draped.body = body(command.body, command.written);
@@ -125,11 +139,10 @@ std::optional<Draped> Workroom::drape(const DrapeCommand& command) {
 
 DrapedLevels Workroom::drape_cold(const DrapeCommand& command, const Draped& draped) {
   std::vector<DrapeLevel> levels;
-  for (const CoarseGarment& level : coarse(command.garment, *draped.made))
-    levels.push_back({&level.mesh, &level.cloth});
+  for (const CoarseGarment& level : coarse(worn(command), *draped.made)) levels.push_back({&level.mesh, &level.cloth});
   levels.push_back({&draped.made->mesh, &draped.made->cloth});
   const Garment& garment = draped.made->garment;
-  return drape_levels(levels, garment.wears, arranged(garment), garment.fabric, draped.body.get(),
+  return drape_levels(levels, garment.wears, arranged(garment), garment.fabrics(), draped.body.get(),
                       drape_options(command), job_);
 }
 
@@ -147,7 +160,7 @@ std::optional<DrapedLevels> Workroom::drape_warm(const DrapeCommand& command, co
   const std::optional<std::vector<Vec3>> start = start_from(*kept, garment, draped.made->mesh);
   if (!start) return std::nullopt;
   DrapedLevels result = drape_from(*start, {&draped.made->mesh, &draped.made->cloth}, garment.wears, arranged(garment),
-                                   garment.fabric, draped.body.get(), drape_options(command), job_);
+                                   garment.fabrics(), draped.body.get(), drape_options(command), job_);
   if (!result.drape.converged && !result.drape.cancelled) return std::nullopt;
   return result;
 }

@@ -3,6 +3,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <utility>
 
 #include "runtime/solve/parallel.hpp"
 
@@ -21,10 +22,14 @@ Corners corners(const std::array<int, 3>& vertices, const Vector& q) {
 
 }  // namespace
 
-ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops) : law_(law) {
+ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops)
+    : ElasticForm(cloth, std::vector<FabricLaw>(static_cast<size_t>(cloth.fabric_count()), law), loops) {}
+
+ElasticForm::ElasticForm(const Cloth& cloth, std::vector<FabricLaw> laws, Loops loops) : laws_(std::move(laws)) {
   triangles_.reserve(cloth.triangles.size());
   for (const ClothTriangle& triangle : cloth.triangles) {
-    triangles_.push_back({triangle.vertices, membrane_shape(triangle.uv), bending_shape(triangle.uv), {}});
+    triangles_.push_back(
+        {triangle.vertices, membrane_shape(triangle.uv), bending_shape(triangle.uv), {}, triangle.fabric});
   }
   unknowns_.vertices = cloth.vertex_count;
   make_hinges(cloth);
@@ -164,9 +169,9 @@ double ElasticForm::energy(const Vector& q, Vector* gradient) const {
   parallel_for(triangles_.size(), [&](size_t begin, size_t end) {
     for (size_t t = begin; t < end; ++t) {
       const Triangle& triangle = triangles_[t];
-      const MembraneEnergy stretch = membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q),
+      const MembraneEnergy stretch = membrane_energy(law(t), triangle.membrane, corners(triangle.vertices, q),
                                                      gradient != nullptr ? &forces[t] : nullptr, memory(t));
-      const BendingEnergy bend = bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q),
+      const BendingEnergy bend = bending_energy(law(t), triangle.bending, triangle_angles(triangle, theta, q),
                                                 gradient != nullptr ? &moments[t] : nullptr, memory(t));
       energies[t] = stretch.warp + stretch.weft + stretch.shear + bend.warp + bend.weft + bend.twist;
     }
@@ -248,13 +253,13 @@ void ElasticForm::add_triangles(const Vector& q, const std::vector<double>& thet
         const Triangle& triangle = triangles_[first + i];
         const AnglesByUnknowns by_unknowns = angles_by_unknowns(first + i, slopes);
         const Matrix3 by_angles =
-            bending_hessian(law_, triangle.bending, triangle_angles(triangle, theta, q), memory(first + i));
+            bending_hessian(law(first + i), triangle.bending, triangle_angles(triangle, theta, q), memory(first + i));
         dense[i].noalias() = by_unknowns.transpose() * (by_angles * by_unknowns);
         const Corners x = corners(triangle.vertices, q);
         const MembraneStrain stressed =
             foreseen_.empty() ? membrane_strain(triangle.membrane, x) : foreseen_[first + i];
         dense[i].topLeftCorner<9, 9>() +=
-            membrane_hessian(law_, triangle.membrane, x, stressed, curvature, memory(first + i));
+            membrane_hessian(law(first + i), triangle.membrane, x, stressed, curvature, memory(first + i));
       }
     });
     for (size_t i = 0; i < count; ++i) {
@@ -274,7 +279,7 @@ std::vector<double> ElasticForm::hinge_moments(const Vector& q, const std::vecto
   for (size_t t = 0; t < triangles_.size(); ++t) {
     const Triangle& triangle = triangles_[t];
     Angles moment{};
-    bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), &moment, memory(t));
+    bending_energy(law(t), triangle.bending, triangle_angles(triangle, theta, q), &moment, memory(t));
     for (size_t corner = 0; corner < 3; ++corner) {
       moments[static_cast<size_t>(triangle.sides[corner].hinge)] += triangle.sides[corner].tilt / 2 * moment[corner];
     }
@@ -311,8 +316,9 @@ void ElasticForm::foresee(const Vector& q, const Vector& step) {
   foreseen_.resize(triangles_.size());
   parallel_for(triangles_.size(), [&](size_t begin, size_t end) {
     for (size_t t = begin; t < end; ++t) {
-      const auto& [vertices, membrane, bending, sides] = triangles_[t];
-      foreseen_[t] = foreseen_strain(membrane, corners(vertices, q), corners(vertices, step));
+      const Triangle& triangle = triangles_[t];
+      foreseen_[t] =
+          foreseen_strain(triangle.membrane, corners(triangle.vertices, q), corners(triangle.vertices, step));
     }
   });
 }
@@ -326,9 +332,9 @@ std::vector<PatternCoupling> ElasticForm::pattern_couplings(const Cloth& cloth, 
       const Triangle& triangle = triangles_[t];
       couplings[t].unknowns = unknowns_of(elements_[t], triangle);
       couplings[t].by_corners = angles_by_unknowns(t, slopes).transpose() *
-                                bending_by_pattern(law_, cloth.triangles[t].uv, triangle_angles(triangle, theta, q));
+                                bending_by_pattern(law(t), cloth.triangles[t].uv, triangle_angles(triangle, theta, q));
       couplings[t].by_corners.topRows<9>() +=
-          membrane_by_pattern(law_, triangle.membrane, corners(triangle.vertices, q));
+          membrane_by_pattern(law(t), triangle.membrane, corners(triangle.vertices, q));
     }
   });
   return couplings;
@@ -345,9 +351,9 @@ void ElasticForm::remember(const Vector& q) {
     const Curvatures k = toile::curvatures(triangle.bending, triangle_angles(triangle, theta, q));
     const double angle = membrane_strain(triangle.membrane, corners(triangle.vertices, q)).shear;
     ClothMemory& memory = memory_[t];
-    memory = {anchor_after(law_.shear.loop(), memory.shear, angle),
-              anchor_after(law_.bend_warp.loop(), memory.bend_warp, k.warp),
-              anchor_after(law_.bend_weft.loop(), memory.bend_weft, k.weft)};
+    memory = {anchor_after(law(t).shear.loop(), memory.shear, angle),
+              anchor_after(law(t).bend_warp.loop(), memory.bend_warp, k.warp),
+              anchor_after(law(t).bend_weft.loop(), memory.bend_weft, k.weft)};
   }
 }
 
@@ -357,9 +363,9 @@ ElasticParts ElasticForm::parts(const Vector& q) const {
   for (size_t t = 0; t < triangles_.size(); ++t) {
     const Triangle& triangle = triangles_[t];
     const MembraneEnergy stretch =
-        membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q), nullptr, memory(t));
+        membrane_energy(law(t), triangle.membrane, corners(triangle.vertices, q), nullptr, memory(t));
     const BendingEnergy bend =
-        bending_energy(law_, triangle.bending, triangle_angles(triangle, theta, q), nullptr, memory(t));
+        bending_energy(law(t), triangle.bending, triangle_angles(triangle, theta, q), nullptr, memory(t));
     parts.stretch.warp += stretch.warp;
     parts.stretch.weft += stretch.weft;
     parts.stretch.shear += stretch.shear;
@@ -392,8 +398,8 @@ std::vector<Curvatures> ElasticForm::curvatures(const Vector& q) const {
 double ElasticForm::mean_internal_force(const Vector& q) const {
   double sum = 0;
   Vector9 force;
-  for (const Triangle& triangle : triangles_) {
-    membrane_energy(law_, triangle.membrane, corners(triangle.vertices, q), &force);
+  for (size_t t = 0; t < triangles_.size(); ++t) {
+    membrane_energy(law(t), triangles_[t].membrane, corners(triangles_[t].vertices, q), &force);
     for (Eigen::Index corner = 0; corner < 3; ++corner) sum += force.segment<3>(3 * corner).norm();
   }
   return unknowns_.vertices > 0 ? sum / unknowns_.vertices : 0;

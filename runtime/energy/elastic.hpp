@@ -54,6 +54,8 @@ enum class Loops { LoadingBranch, Remembered };
 class ElasticForm : public Form {
  public:
   ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops = Loops::LoadingBranch);
+  /// A law for each fabric of the cloth.
+  ElasticForm(const Cloth& cloth, std::vector<FabricLaw> laws, Loops loops = Loops::LoadingBranch);
 
   const ClothUnknowns& unknowns() const { return unknowns_; }
   const std::vector<ClothHinge>& hinges() const { return hinges_; }
@@ -87,6 +89,7 @@ class ElasticForm : public Form {
     MembraneShape membrane;
     BendingShape bending;
     std::array<HingeSide, 3> sides{};
+    int fabric = 0;
   };
   struct Element {
     std::vector<int> vertices;                     // the triangle's and its neighbours' far corners, each once
@@ -94,6 +97,9 @@ class ElasticForm : public Form {
     std::vector<std::int32_t> places;
   };
 
+  const FabricLaw& law(std::size_t triangle) const {
+    return laws_[static_cast<std::size_t>(triangles_[triangle].fabric)];
+  }
   const ClothMemory* memory(std::size_t triangle) const { return memory_.empty() ? nullptr : &memory_[triangle]; }
   void make_hinges(const Cloth& cloth);
   void make_elements();
@@ -111,7 +117,7 @@ class ElasticForm : public Form {
   void add_hinges(const Vector& q, const std::vector<double>& theta, SparseMatrix& matrix) const;
   std::vector<double> hinge_moments(const Vector& q, const std::vector<double>& theta) const;
 
-  FabricLaw law_;
+  std::vector<FabricLaw> laws_;  // of each fabric
   ClothUnknowns unknowns_;
   std::vector<Triangle> triangles_;
   std::vector<ClothHinge> hinges_;

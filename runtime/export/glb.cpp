@@ -1,4 +1,5 @@
-// glTF 2.0 binary (Khronos specification 2.0.1): one node, mesh and primitive a garment, everything embedded.
+// glTF 2.0 binary (Khronos specification 2.0.1): one node and mesh, a primitive for each garment worn, everything
+// embedded.
 #include <algorithm>
 #include <array>
 #include <cstdint>
@@ -90,30 +91,40 @@ int add_normals(Buffer& buffer, const std::vector<Vec3>& normals) {
   return buffer.add_accessor(kArrayBuffer, kFloat, normals.size(), "VEC3");
 }
 
-int add_texture_coordinates(Buffer& buffer, const std::vector<Vec2>& uv, const TextileImage& textile) {
-  for (const Vec2 point : uv) {
-    append(buffer.bytes, static_cast<float>(point.x / textile.repeat_u));
-    append(buffer.bytes, static_cast<float>(point.y / textile.repeat_v));
+int layer_of(const PMesh& mesh, PieceId piece) {
+  return mesh.layer_of_piece.empty() ? 0 : mesh.layer_of_piece[static_cast<std::size_t>(piece)];
+}
+
+int add_texture_coordinates(Buffer& buffer, const std::vector<Vec2>& uv, const PMesh& mesh,
+                            const std::vector<TextileImage>& textiles) {
+  for (std::size_t i = 0; i < uv.size(); ++i) {
+    const TextileImage& textile = textiles[static_cast<std::size_t>(layer_of(mesh, mesh.piece_of_point[i]))];
+    append(buffer.bytes, static_cast<float>(uv[i].x / textile.repeat_u));
+    append(buffer.bytes, static_cast<float>(uv[i].y / textile.repeat_v));
   }
   return buffer.add_accessor(kArrayBuffer, kFloat, uv.size(), "VEC2");
 }
 
-int add_indices(Buffer& buffer, const std::vector<std::array<int, 3>>& triangles) {
-  for (const auto& triangle : triangles) {
-    for (const int corner : triangle) append(buffer.bytes, static_cast<std::uint32_t>(corner));
+/// The triangles of one of the garments that are worn over each other.
+int add_indices(Buffer& buffer, const std::vector<std::array<int, 3>>& triangles, const PMesh& mesh, int layer) {
+  std::size_t count = 0;
+  for (std::size_t t = 0; t < triangles.size(); ++t) {
+    if (layer_of(mesh, mesh.piece_of_triangle[t]) != layer) continue;
+    for (const int corner : triangles[t]) append(buffer.bytes, static_cast<std::uint32_t>(corner));
+    ++count;
   }
-  return buffer.add_accessor(kElementArrayBuffer, kUnsignedInt, 3 * triangles.size(), "SCALAR");
+  return buffer.add_accessor(kElementArrayBuffer, kUnsignedInt, 3 * count, "SCALAR");
 }
 
 /// Cloth: rough, without metal, seen from both sides, with the soft edge light of its fibres in its own colour.
-Json material(const Textile& textile, const TextileImage& image) {
+Json material(const Textile& textile, const TextileImage& image, std::size_t texture) {
   constexpr double kSheen = 0.5;
   const std::array<double, 3> sheen{kSheen * image.mean[0], kSheen * image.mean[1], kSheen * image.mean[2]};
-  return {
-      {"name", textile.name},
-      {"doubleSided", true},
-      {"pbrMetallicRoughness", {{"baseColorTexture", {{"index", 0}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
-      {"extensions", {{"KHR_materials_sheen", {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", 0.6}}}}}};
+  return {{"name", textile.name},
+          {"doubleSided", true},
+          {"pbrMetallicRoughness",
+           {{"baseColorTexture", {{"index", texture}}}, {"metallicFactor", 0}, {"roughnessFactor", 0.9}}},
+          {"extensions", {{"KHR_materials_sheen", {{"sheenColorFactor", sheen}, {"sheenRoughnessFactor", 0.6}}}}}};
 }
 
 /// Which triangles, in the primitive's order, are of which piece.
@@ -151,18 +162,26 @@ std::string container(std::string json, const std::string& binary) {
 std::string glb(const DrapedGarment& draped) {
   const Garment& garment = *draped.garment;
   const SplitSurface surface = split_surface(*draped.mesh, draped.drape->positions);
-  const TextileImage textile = textile_image(garment.textile);
+  std::vector<Textile> textiles;
+  for (const WornLayer& layer : garment.layers) textiles.push_back(layer.textile);
+  if (textiles.empty()) textiles.push_back(garment.textile);
+  std::vector<TextileImage> images;
+  for (const Textile& textile : textiles) images.push_back(textile_image(textile));
 
   Buffer buffer;
   const int positions = add_positions(buffer, surface.positions);
   const int normals = add_normals(buffer, surface.normals);
-  const int uv = add_texture_coordinates(buffer, surface.uv, textile);
-  const int indices = add_indices(buffer, surface.triangles);
-  buffer.bytes += png(textile.image);
-  const int picture = buffer.close_view(0);
-
+  const int uv = add_texture_coordinates(buffer, surface.uv, draped.mesh->p, images);
   const Json attributes{{"POSITION", positions}, {"NORMAL", normals}, {"TEXCOORD_0", uv}};
-  const Json primitive{{"attributes", attributes}, {"indices", indices}, {"material", 0}};
+  Json primitives = Json::array(), materials = Json::array(), textures = Json::array(), pictures = Json::array();
+  for (std::size_t layer = 0; layer < images.size(); ++layer) {
+    const int indices = add_indices(buffer, surface.triangles, draped.mesh->p, static_cast<int>(layer));
+    buffer.bytes += png(images[layer].image);
+    primitives.push_back({{"attributes", attributes}, {"indices", indices}, {"material", layer}});
+    materials.push_back(material(textiles[layer], images[layer], layer));
+    textures.push_back({{"sampler", 0}, {"source", layer}});
+    pictures.push_back({{"bufferView", buffer.close_view(0)}, {"mimeType", "image/png"}});
+  }
   const Json root{
       {"asset", {{"version", "2.0"}, {"generator", "toile " TOILE_VERSION}}},
       {"extensionsUsed", Json::array({"KHR_materials_sheen"})},
@@ -170,11 +189,11 @@ std::string glb(const DrapedGarment& draped) {
       {"scenes", Json::array({{{"name", garment.name}, {"nodes", Json::array({0})}}})},
       {"nodes", Json::array({{{"name", garment.name}, {"mesh", 0}}})},
       {"meshes", Json::array({{{"name", garment.name},
-                               {"primitives", Json::array({primitive})},
+                               {"primitives", primitives},
                                {"extras", {{"pieces", piece_extents(garment, draped.mesh->p)}}}}})},
-      {"materials", Json::array({material(garment.textile, textile)})},
-      {"textures", Json::array({{{"sampler", 0}, {"source", 0}}})},
-      {"images", Json::array({{{"bufferView", picture}, {"mimeType", "image/png"}}})},
+      {"materials", materials},
+      {"textures", textures},
+      {"images", pictures},
       {"samplers",
        Json::array(
            {{{"magFilter", kLinear}, {"minFilter", kLinearMipmapLinear}, {"wrapS", kRepeat}, {"wrapT", kRepeat}}})},

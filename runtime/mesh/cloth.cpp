@@ -1,6 +1,14 @@
 #include "runtime/mesh/cloth.hpp"
 
+#include <algorithm>
+
 namespace toile {
+
+int Cloth::fabric_count() const {
+  int count = 1;
+  for (const ClothTriangle& triangle : triangles) count = std::max(count, triangle.fabric + 1);
+  return count;
+}
 
 Cloth make_cloth(const SewnMesh& mesh) {
   Cloth cloth;
@@ -13,7 +21,9 @@ Cloth make_cloth(const SewnMesh& mesh) {
     ClothTriangle& triangle = cloth.triangles[t];
     triangle.vertices = mesh.s.triangles[t];
     triangle.edges = mesh.s.edge_of_corner[t];
-    const Vec2 warp = mesh.p.warp_of_piece[static_cast<std::size_t>(mesh.p.piece_of_triangle[t])];
+    const auto piece = static_cast<std::size_t>(mesh.p.piece_of_triangle[t]);
+    triangle.fabric = mesh.p.layer_of_piece.empty() ? 0 : mesh.p.layer_of_piece[piece];
+    const Vec2 warp = mesh.p.warp_of_piece[piece];
     const Vec2 weft = perpendicular(warp);
     for (std::size_t corner = 0; corner < 3; ++corner) {
       const Vec2 point = mesh.p.points[static_cast<std::size_t>(mesh.p.triangles[t][corner])];

@@ -14,6 +14,7 @@ struct ClothTriangle {
   std::array<int, 3> vertices{};  // of the S-mesh
   std::array<int, 3> edges{};     // opposite to each vertex
   std::array<Vec2, 3> uv{};  // [m] corners in (warp, weft); right-handed for the drawn copy seen from the right side
+  int fabric = 0;            // of those that the cloth is made of
 };
 
 struct Cloth {
@@ -23,6 +24,8 @@ struct Cloth {
   std::vector<SMesh::Edge> edges;
   std::vector<double> area_of_vertex;  // [m2] a third of each adjoining triangle's area in the P-mesh
   double area = 0;                     // [m2]
+
+  int fabric_count() const;
 };
 
 Cloth make_cloth(const SewnMesh& mesh);

@@ -8,6 +8,7 @@
 
 #include "runtime/place/arranged.hpp"
 #include "runtime/place/layout.hpp"
+#include "runtime/place/outside.hpp"
 #include "runtime/place/rest_mesh.hpp"
 #include "runtime/place/sewn_upon.hpp"
 #include "runtime/place/worn_component.hpp"
@@ -15,7 +16,8 @@
 namespace toile {
 namespace {
 
-constexpr double gap = 0.002;  // [m] between a cloth laid flat and what is below it
+constexpr double gap = 0.002;      // [m] between a cloth laid flat and what is below it
+constexpr double layer_gap = 0.2;  // of the mean edge, between garments worn over each other
 
 std::size_t edit_distance(const std::string& a, const std::string& b) {
   std::vector<std::size_t> row(b.size() + 1);
@@ -194,6 +196,7 @@ Placed place(const SewnMesh& mesh, const Cloth& cloth, const std::vector<Worn>& 
       lay_out(rest, members, placed.positions);
     loose.add(members, placed.positions);
   }
+  if (body != nullptr) put_outside(rest, *body, std::max(gap, layer_gap * rest.mean_edge()), placed.positions);
   lay_upon(mesh, placed.positions);
   keep_apart(placed.positions);
   for (const Worn& w : worn) {

@@ -1,5 +1,7 @@
 #include "runtime/place/relax.hpp"
 
+#include "runtime/contact/self_intersections.hpp"
+
 namespace toile {
 namespace {
 
@@ -64,13 +66,17 @@ void push_out(const RestMesh& rest, const std::vector<bool>& free, const Body& b
     }
     return moved;
   };
+  const std::vector<Vec3> before = positions;
   push_vertices(free, body, clearance, positions);
   for (int pass = 0; pass < most_passes; ++pass) {
     bool moved = false;
     for (const SMesh::Edge& edge : rest.cloth().edges) moved = push_all_of(edge.vertices) || moved;
     for (const ClothTriangle& triangle : rest.cloth().triangles) moved = push_all_of(triangle.vertices) || moved;
-    if (!moved) return;
+    if (!moved) break;
     push_vertices(free, body, 0.5 * clearance, positions);
+  }
+  if (intersecting_triangle_pairs(rest.cloth(), positions) > intersecting_triangle_pairs(rest.cloth(), before)) {
+    positions = before;
   }
 }
 

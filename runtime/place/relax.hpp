@@ -15,7 +15,8 @@ void relax(const RestMesh& rest, const std::vector<bool>& free, int passes, cons
            std::vector<Vec3>& positions, int passes_between_pushes = 8);
 
 /// Pushes free vertices out of the body until no vertex, middle of an edge or middle of a triangle lies in it, or a
-/// bounded number of times.
+/// bounded number of times. Nothing is pushed where more of the cloth would pass through itself then: the body's
+/// contact has gentler ways.
 void push_out(const RestMesh& rest, const std::vector<bool>& free, const Body& body, double clearance,
               std::vector<Vec3>& positions);
 

@@ -8,6 +8,7 @@
 #include "runtime/place/envelope.hpp"
 #include "runtime/place/relax.hpp"
 #include "runtime/place/tube_winding.hpp"
+#include "runtime/place/turning.hpp"
 #include "runtime/place/winding.hpp"
 #include "runtime/place/worn_legs.hpp"
 
@@ -90,6 +91,7 @@ void lift_layers(const PleatFolds& folds, const std::vector<int>& members, const
 void place_worn(const RestMesh& rest, const PleatFolds& folds, const std::vector<int>& members,
                 std::vector<HungLine> hung, const Body& body, std::vector<Vec3>& positions) {
   const std::size_t n = positions.size();
+  turn_to_each_other(rest, hung);
   run_between_other_lines(hung);
   const double clearance = std::clamp(0.1 * rest.mean_edge(), 0.001, 0.004);
   std::vector<bool> in_component(n, false);

@@ -27,6 +27,7 @@ struct DressedCloth {
   const std::vector<Vec3>* positions = nullptr;
   Textile textile;
   std::optional<Field> shown;  // false colours with a scale instead of the textile
+  std::optional<int> only{};   // the triangles of this fabric; without it all
 };
 
 Image render(const std::vector<DressedCloth>& cloths, const Body* body, const RenderOptions& options);

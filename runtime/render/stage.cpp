@@ -152,6 +152,7 @@ void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>
     return std::isfinite(v) ? v : 0;
   };
   for (const ClothTriangle& triangle : cloth.cloth->triangles) {
+    if (cloth.only && triangle.fabric != *cloth.only) continue;
     const auto& corner = triangle.vertices;
     if (!std::all_of(corner.begin(), corner.end(), [&](int i) { return is_finite((*cloth.positions)[index(i)]); }))
       continue;
@@ -164,7 +165,8 @@ void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>
 
   Actor actor;
   actor.material = Material::Cloth;
-  actor.surface = smoothed(std::move(surface));
+  // Between garments that lie on each other there is no room for a smoother surface than was computed.
+  actor.surface = cloth.only ? std::move(surface) : smoothed(std::move(surface));
   if (body != nullptr) keep_outside(*body, cloth.positions->size(), actor.surface.points);
   actor.textile.emplace(cloth.textile);
   actor.scale = scale;

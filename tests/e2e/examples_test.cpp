@@ -32,6 +32,7 @@ const std::map<std::string, std::vector<std::string>> examples{
     {"quilted_bag", {"quilted_bag.svg"}},
     {"hooded_cape", {"hooded_cape.svg"}},
     {"t_shirt", {"t_shirt.svg"}},
+    {"gilet", {"gilet.png", "gilet.svg", "gilet.glb"}},
 };
 /// Those have no pattern to drape until they are developed, or are there for the pattern alone.
 const std::set<std::string> not_draped{"bra_cup",  "developed_bodice", "developed_yoke", "hat",     "stool_cover",

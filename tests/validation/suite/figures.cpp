@@ -32,7 +32,8 @@ const std::vector<Case>& cases() {
                                      {"Contact", contact},
                                      {"DrapeCoefficients", drape_coefficients},
                                      {"Strips", strips},
-                                     {"HungSpecimens", hung_specimens}};
+                                     {"HungSpecimens", hung_specimens},
+                                     {"RandomGarments", random_garments}};
   return all;
 }
 

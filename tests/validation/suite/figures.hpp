@@ -57,5 +57,6 @@ Chapter contact(Effort);
 Chapter kes_sheets(Effort);
 Chapter hung_specimens(Effort);
 Chapter drape_coefficients(Effort);
+Chapter random_garments(Effort);
 
 }  // namespace toile::validation

@@ -1,0 +1,25 @@
+// A few dozen garments that nobody has thought of, at few triangles; `./dev validate RandomGarments` tries a thousand.
+#include <gtest/gtest.h>
+
+#include "tests/garments/random_garment.hpp"
+#include "tests/garments/trial.hpp"
+
+namespace toile::test {
+namespace {
+
+constexpr int most_seconds = 20;
+
+class RandomGarments : public testing::TestWithParam<unsigned> {};
+
+TEST_P(RandomGarments, EndInRestOrAClearReport) {
+  const RandomGarment garment = random_garment(GetParam());
+  const Trial trial = try_script(garment.text, 150, most_seconds);
+  EXPECT_TRUE(trial.end == End::Rest || trial.end == End::Reported) << garment.kind << ": " << name(trial.end) << "\n"
+                                                                    << trial.said << "\n"
+                                                                    << garment.text;
+}
+
+INSTANTIATE_TEST_SUITE_P(Seeds, RandomGarments, testing::Range(1U, 43U));
+
+}  // namespace
+}  // namespace toile::test
