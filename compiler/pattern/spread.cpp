@@ -213,7 +213,7 @@ class Spreading {
       parts.push_back(motion(cuts.size() == 2 ? before : before.part(cuts[i], cuts[i + 1])));
     }
     if (parts.size() == 1) return parts[0];
-    const Curve smooth = smoothed(parts);
+    Curve smooth = smoothed(parts);
     if (std::abs(smooth.length() - wanted) < kNone) return smooth;
     if (const auto exact = of_length(smooth, wanted)) return *exact;
     // A straight edge that cannot bend: its parts as they lie, joined by straight lines.
