@@ -90,10 +90,16 @@ class Orderer {
     return true;
   }
 
+  // Pockets and tucks are stitched while their piece still lies flat.
+  bool is_upon(const SewingStep& step) const {
+    return std::all_of(step.seams.begin(), step.seams.end(),
+                       [&](int seam) { return is_sewn_upon(garment_.seams[seam], garment_.pieces); });
+  }
+
   std::size_t next() const {
     const auto rank = [&](std::size_t i) {
       const SewingStep& step = waiting_[i];
-      return std::tuple(stated(step), !ready(step), step.kind == SewingStep::Kind::Closure, i);
+      return std::tuple(stated(step), !ready(step), !is_upon(step), step.kind == SewingStep::Kind::Closure, i);
     };
     std::size_t best = 0;
     for (std::size_t i = 1; i < waiting_.size(); ++i) best = rank(i) < rank(best) ? i : best;

@@ -12,6 +12,7 @@ namespace {
 
 const std::map<std::string, std::vector<std::string>> examples{
     {"blouse", {"blouse.svg", "blouse.png", "blouse.report.json"}},
+    {"apron", {"apron.svg", "apron.png", "apron.report.json"}},
     {"graded_skirt", {"skirt.svg", "skirt.png", "skirt.report.json"}},
     {"flared_skirt", {"skirt.svg", "skirt.png", "strain.png", "skirt.glb", "skirt.report.json"}},
     {"tight_skirt", {"skirt.svg", "skirt.png", "pressure.png", "skirt.report.json"}},

@@ -37,6 +37,19 @@ TEST(SizesOnTheCommandLine, OneOrAllOfThem) {
   EXPECT_FALSE(call.scratch.read("flag-L.svg").empty());
 }
 
+TEST(SizesOnTheCommandLine, AllOfThemNestedInOneDrawing) {
+  const CommandLine call;
+  call.scratch.write("flag.toile", flag);
+  const Called drafted = call.toile("draft flag.toile --nested -o nest.svg");
+  EXPECT_EQ(drafted.exit_code, 0) << drafted.err;
+  const std::string drawing = call.scratch.read("nest.svg");
+  EXPECT_THAT(drawing, HasSubstr(">S</text>"));
+  EXPECT_THAT(drawing, HasSubstr(">L</text>"));
+  EXPECT_THAT(drawing, HasSubstr("L200,0"));  // the foot of the small one
+  EXPECT_THAT(drawing, HasSubstr("L800,0"));  // and of the large one, from the same origin
+  EXPECT_EQ(call.toile("draft flag.toile --nested -o nest.dxf").exit_code, 2);
+}
+
 TEST(SizesOnTheCommandLine, EverySizeOfAStandardTableInOneRun) {
   const CommandLine call;
   const Called drafted = call.toile(
