@@ -13,12 +13,18 @@
 namespace toile {
 namespace {
 
-constexpr int cells = 8;              // of the lattice along the longer side of a piece
-constexpr std::size_t samples = 500;  // triangles of the whole pattern, about
+/// How fine the lattice is, for a pattern of so many triangles.
+struct Fineness {
+  std::size_t from;     // triangles
+  int cells;            // along the longer side of a piece
+  std::size_t samples;  // triangles that stand for the whole pattern, about
+};
+constexpr Fineness coarse{0, 8, 500}, fine{12000, 16, 1500};
+
 constexpr std::size_t fewest = 1000;  // triangles of a pattern that it is worth it for
 constexpr int most_iterations = 12;
 constexpr int lattice_halvings = 20;
-constexpr double enough = 1e-2;     // fall of the energy in a step, relative, that ends it
+constexpr double enough = 1e-2;          // fall of the energy in a step, relative, that ends it
 constexpr double link_smoothing = 1e-3;  // stiffness between neighbours of the lattice over the cloth's own
 
 struct Lattice {
@@ -44,7 +50,8 @@ struct Sample {
 
 class CoarseStart {
  public:
-  CoarseStart(const FlatteningInput& input, const FabricLaw& law) : input_(input), law_(law) {
+  CoarseStart(const FlatteningInput& input, const FabricLaw& law)
+      : input_(input), law_(law), fineness_(input.triangles.size() < fine.from ? coarse : fine) {
     find_pieces();
     lay_lattices();
     take_samples();
@@ -112,7 +119,7 @@ class CoarseStart {
     }
     for (Lattice& lattice : lattices_) {
       const Vec2 extent = lattice.high - lattice.low;
-      lattice.cell = std::max(std::max(extent.x, extent.y) / cells, 1e-9);
+      lattice.cell = std::max(std::max(extent.x, extent.y) / fineness_.cells, 1e-9);
       lattice.columns = static_cast<int>(extent.x / lattice.cell) + 2;
       const int rows = static_cast<int>(extent.y / lattice.cell) + 2;
       lattice.first = nodes_;
@@ -139,7 +146,7 @@ class CoarseStart {
   }
 
   void take_samples() {
-    const std::size_t stride = std::max<std::size_t>(1, input_.triangles.size() / samples);
+    const std::size_t stride = std::max<std::size_t>(1, input_.triangles.size() / fineness_.samples);
     for (std::size_t t = stride / 2; t < input_.triangles.size(); t += stride) {
       Sample sample;
       sample.triangle = t;
@@ -238,17 +245,20 @@ class CoarseStart {
     for (const Sample& sample : samples_) {
       const Matrix6 hessian =
           flattening_hessian(law_, sample.target, corners(c, sample, true), Curvature::PositiveDefinite);
+      // First by the nodes on one side, then on the other.
+      const int size = 2 * static_cast<int>(sample.nodes.size());
+      Eigen::Matrix<double, 6, Eigen::Dynamic, 0, 6, 24> half(6, size);
+      for (int b = 0; b < size; ++b) {
+        const std::array<double, 3>& weights = sample.weights[index(b / 2)];
+        half.col(b) =
+            weights[0] * hessian.col(b % 2) + weights[1] * hessian.col(2 + b % 2) + weights[2] * hessian.col(4 + b % 2);
+      }
       std::size_t place = 0;
-      for (std::size_t a = 0; a < 2 * sample.nodes.size(); ++a) {
-        for (std::size_t b = 0; b <= a; ++b, ++place) {
-          double sum = 0;
-          for (std::size_t k = 0; k < 3; ++k) {
-            for (std::size_t l = 0; l < 3; ++l) {
-              sum += sample.weights[a / 2][k] * sample.weights[b / 2][l] *
-                     hessian(static_cast<int>(2 * k + a % 2), static_cast<int>(2 * l + b % 2));
-            }
-          }
-          matrix.add_at(sample.places[place], sum);
+      for (int a = 0; a < size; ++a) {
+        const std::array<double, 3>& weights = sample.weights[index(a / 2)];
+        for (int b = 0; b <= a; ++b, ++place) {
+          matrix.add_at(sample.places[place], weights[0] * half(a % 2, b) + weights[1] * half(2 + a % 2, b) +
+                                                  weights[2] * half(4 + a % 2, b));
         }
       }
     }
@@ -297,6 +307,7 @@ class CoarseStart {
 
   const FlatteningInput& input_;
   const FabricLaw& law_;
+  const Fineness fineness_;
   std::vector<int> piece_;  // of each point
   std::vector<Lattice> lattices_;
   std::vector<std::array<int, 2>> links_;

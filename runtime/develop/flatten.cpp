@@ -70,6 +70,7 @@ class Flattening {
     const double count = std::max<double>(1, static_cast<double>(targets_.size()));
     force_scale_ = stiffness_ * std::sqrt(4 / std::sqrt(3.0) * area / count);
     match_stiffness_ = first_match * stiffness_ * std::sqrt(area);
+    cholesky_.join_more_columns();
     cholesky_.analyse_in_order(matrix_);
   }
 

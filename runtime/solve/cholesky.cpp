@@ -88,6 +88,12 @@ void Cholesky::analyse_in_order(const SparseMatrix& matrix) {
   common.postorder = 1;
 }
 
+void Cholesky::join_more_columns() {
+  handle_->common.nrelax[0] = 16;
+  handle_->common.nrelax[1] = 32;
+  handle_->common.nrelax[2] = 64;
+}
+
 bool Cholesky::factorise(const SparseMatrix& matrix) {
   cholmod_sparse a = view(matrix);
   ++factorisations_;

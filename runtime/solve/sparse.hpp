@@ -65,6 +65,9 @@ class Cholesky {
   std::vector<int> good_order(const SparseMatrix& matrix) const;
   /// Takes the rows as they come: no entry has to be moved before each factorisation.
   void analyse_in_order(const SparseMatrix& matrix);
+  /// From now on columns that are nearly alike are taken together, for some zeros more: of use where there are two
+  /// unknowns a point of a plane mesh. To be said before a pattern is analysed.
+  void join_more_columns();
   /// False when the matrix is not positive definite.
   bool factorise(const SparseMatrix& matrix);
   Vector solve(const Vector& right) const;

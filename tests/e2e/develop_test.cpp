@@ -45,6 +45,8 @@ TEST(DevelopCommand, WritesAPatternThatIsAScript) {
   const std::string report = call.scratch.read("r.json");
   EXPECT_THAT(report, HasSubstr("\"flipped_triangles\": 0"));
   EXPECT_THAT(report, HasSubstr("\"dart\": \"dart1\""));
+  EXPECT_THAT(report, HasSubstr("\"without_each_dart\""));
+  EXPECT_THAT(report, HasSubstr("\"developed_for_45\""));
   EXPECT_EQ(call.toile("check flat.toile").exit_code, 0);
   EXPECT_EQ(call.toile("fmt flat.toile").exit_code, 0);
   EXPECT_EQ(call.toile("check flat.toile").exit_code, 0);

@@ -65,6 +65,24 @@ TEST(Darts, TakeTheStrainOutOfACapAndEachDoesMuch) {
   }
 }
 
+TEST(Darts, ThatAreDrawnSayWhatTheyGain) {
+  const auto body = ball(0.12);
+  DraftGarment draft = cap(0.12, 0.1);
+  DraftDart dart;
+  dart.name = "cut";
+  dart.edge = "first";
+  dart.at = 0.1;
+  dart.tip = Vec2{-0.01, 0.03};
+  dart.depth = distance(draft.pieces[0].outline[0].curve.at(dart.at), *dart.tip);
+  dart.width = slit_width(dart.depth);
+  draft.pieces[0].darts = {dart};
+  const std::vector<ProposedDart> gains = without_each_dart(draft, *body, 400, {});
+  ASSERT_EQ(gains.size(), 1U);
+  EXPECT_EQ(gains[0].dart.name, "cut");
+  EXPECT_GT(gains[0].with.energy, 0);
+  EXPECT_GT(gains[0].without.energy, 1.2 * gains[0].with.energy);
+}
+
 TEST(Darts, AreNotProposedForASaddle) {
   BodySpec spec;
   spec.name = "torso";

@@ -7,6 +7,7 @@
 #include <cmath>
 #include <numbers>
 
+#include "runtime/develop/grain_study.hpp"
 #include "runtime/develop/redraw.hpp"
 #include "tests/support/flat_region.hpp"
 
@@ -233,6 +234,23 @@ TEST(Redraw, KeepsBothHalvesWhereTheyCameOutDifferent) {
   std::vector<Diagnostic> found;
   make_garment(redrawn.draft, found);
   EXPECT_THAT(found, IsEmpty());
+}
+
+TEST(GrainStudy, FindsEachPatternBestAtItsOwnGrain) {
+  const Made made = developed({panel("front", 0, 1.02, 0.11, 1.25)});
+  expect_sound(made);
+  const GrainStudy study = study_grain(made.mesh, make_law(made.garment.fabric), made.development, {});
+  const MembraneEnergy energy = made.development.flat.energy;
+  EXPECT_NEAR(study.energy[0][0], energy.warp + energy.weft + energy.shear, 1e-9);
+  for (std::size_t own = 0; own < 3; ++own) {
+    for (std::size_t other = 0; other < 3; ++other) {
+      if (own != other) {
+        EXPECT_GT(study.energy[own][other], 1.001 * study.energy[own][own]) << own << " " << other;
+      }
+    }
+  }
+  EXPECT_EQ(study.apart[0], 0);
+  EXPECT_GT(study.apart[1], 1e-4);
 }
 
 }  // namespace
