@@ -3,8 +3,9 @@
 #include <algorithm>
 #include <array>
 #include <cmath>
-#include <optional>
 
+#include "runtime/contact/flaps.hpp"
+#include "runtime/contact/piercing.hpp"
 #include "runtime/contact/self_intersections.hpp"
 #include "runtime/mesh/index.hpp"
 
@@ -13,54 +14,6 @@ namespace {
 
 constexpr int most_steps = 100;
 constexpr int rings_about_crossings = 3;
-
-/// Where an edge goes through a triangle, and how that place moves: a vertex moved by m moves it by w (m - e (n.m) /
-/// (n.e)) when it is of the edge, and by w e (n.m) / (n.e) when it is of the triangle.
-struct Piercing {
-  Vector3 at = Vector3::Zero();
-  Vector3 edge = Vector3::Zero(), normal = Vector3::Zero();
-  std::array<int, 2> edge_vertices{};
-  std::array<double, 2> edge_weights{};
-  std::array<int, 3> triangle_vertices{};
-  std::array<double, 3> triangle_weights{};
-
-  /// What a pull on the place is for the vertices.
-  void spread(const Vector3& pull, Vector& gradient) const {
-    const double along = edge.dot(normal);
-    const Vector3 by_triangle = normal * (edge.dot(pull) / along);
-    for (std::size_t k = 0; k < 2; ++k) {
-      gradient.segment<3>(3 * edge_vertices[k]) += edge_weights[k] * (pull - by_triangle);
-    }
-    for (std::size_t k = 0; k < 3; ++k) {
-      gradient.segment<3>(3 * triangle_vertices[k]) += triangle_weights[k] * by_triangle;
-    }
-  }
-};
-
-Vector3 at(const Vector& q, int vertex) {
-  return q.segment<3>(3 * vertex);
-}
-
-std::optional<Piercing> pierce(const Vector& q, int from, int to, const std::array<int, 3>& triangle) {
-  const Vector3 a = at(q, triangle[0]), b = at(q, triangle[1]), c = at(q, triangle[2]), start = at(q, from);
-  Piercing piercing;
-  piercing.normal = (b - a).cross(c - a);
-  piercing.edge = at(q, to) - start;
-  const double along = piercing.normal.dot(piercing.edge);
-  if (along == 0) return std::nullopt;
-  const double t = piercing.normal.dot(a - start) / along;
-  if (!(t >= 0 && t <= 1)) return std::nullopt;
-  piercing.at = start + t * piercing.edge;
-  const double square = piercing.normal.squaredNorm();
-  const double wb = (piercing.at - a).cross(c - a).dot(piercing.normal) / square;
-  const double wc = (b - a).cross(piercing.at - a).dot(piercing.normal) / square;
-  if (!(wb >= 0 && wc >= 0 && wb + wc <= 1)) return std::nullopt;
-  piercing.edge_vertices = {from, to};
-  piercing.edge_weights = {1 - t, t};
-  piercing.triangle_vertices = triangle;
-  piercing.triangle_weights = {1 - wb - wc, wb, wc};
-  return piercing;
-}
 
 bool has(const std::array<int, 3>& triangle, int vertex) {
   return triangle[0] == vertex || triangle[1] == vertex || triangle[2] == vertex;
@@ -85,7 +38,7 @@ void add_segment(const Vector& q, const std::array<int, 3>& first, const std::ar
     if (has(second, v)) common = v;
   }
   if (common >= 0 && ends.size() == 1) {
-    const Vector3 line = ends[0].at - at(q, common);
+    const Vector3 line = ends[0].at - vertex_at(q, common);
     const double length = line.norm();
     if (length == 0) return;
     sum.length += length;
@@ -126,6 +79,23 @@ Crossings crossings(const Cloth& cloth, const Vector& q) {
   return sum;
 }
 
+namespace {
+
+/// What the vertices are pulled by: flaps back to where they came from, all else so that the lines get shorter.
+Vector pull_apart(const Cloth& cloth, const Vector& q, const std::vector<std::array<int, 2>>& pairs, bool by_flaps) {
+  FlapPull flaps = by_flaps ? pull_flaps(cloth, q, pairs) : FlapPull{Vector::Zero(q.size()), {}};
+  flaps.of_flap.resize(pairs.size(), false);
+  Crossings others;
+  others.gradient = Vector::Zero(q.size());
+  for (std::size_t i = 0; i < pairs.size(); ++i) {
+    if (flaps.of_flap[i]) continue;
+    add_segment(q, cloth.triangles[index(pairs[i][0])].vertices, cloth.triangles[index(pairs[i][1])].vertices, others);
+  }
+  return flaps.force - others.gradient;
+}
+
+}  // namespace
+
 std::vector<bool> about_crossings(const Cloth& cloth, const Vector& q) {
   std::vector<bool> about(index(cloth.vertex_count), false);
   for (const auto& pair : intersecting_triangles(cloth, positions(cloth, q))) {
@@ -147,14 +117,17 @@ int untangle(const Cloth& cloth, const std::function<Vector(const Vector& force)
              const Job& job, Vector& q) {
   Vector best = q;
   int least = -1;
-  for (int step = 0; step <= most_steps; ++step) {
-    const Crossings crossed = crossings(cloth, q);
-    if (least < 0 || crossed.pairs < least) {
-      least = crossed.pairs;
+  for (int step = 0; step <= 2 * most_steps; ++step) {
+    // The lines get shorter first; what that does not undo hangs through the cloth as a flap.
+    if (step == most_steps) q = best;
+    const std::vector<std::array<int, 2>> pairs = intersecting_triangles(cloth, positions(cloth, q));
+    const int count = static_cast<int>(pairs.size());
+    if (least < 0 || count < least) {
+      least = count;
       best = q;
     }
-    if (least == 0 || step == most_steps || job.is_cancelled()) break;
-    const Vector motion = readily(-crossed.gradient);
+    if (least == 0 || step == 2 * most_steps || job.is_cancelled()) break;
+    const Vector motion = readily(pull_apart(cloth, q, pairs, step >= most_steps));
     const double size = longest_of(cloth, motion);
     if (!(size > 0)) break;
     q += longest / size * motion;

@@ -93,7 +93,10 @@ void describe_triangles(const ClothState& state, Drape& drape) {
 LargestResidual largest_residual(const Vector& gradient, const ClothUnknowns& unknowns) {
   LargestResidual largest;
   for (int v = 0; v < unknowns.vertices; ++v) {
-    largest.force = std::max(largest.force, gradient.segment<3>(3 * v).norm());
+    const double force = gradient.segment<3>(3 * v).norm();
+    if (!(force > largest.force)) continue;
+    largest.force = force;
+    largest.vertex = v;
   }
   for (int h = 0; h < unknowns.hinges; ++h) {
     largest.moment = std::max(largest.moment, std::abs(gradient[unknowns.rotation(h)]));
@@ -120,6 +123,7 @@ Drape describe(const ClothState& state) {
   drape.contact = contact(state, gradient, drape.pressure);
   clear_held(gradient, state.reduced);
   const LargestResidual largest = largest_residual(gradient, state.elastic.unknowns());
+  drape.restless = largest.vertex;
   drape.residual_N = largest.force;
   drape.residual_moment_Nm = largest.moment;
   drape.energy = energies(state);
@@ -130,6 +134,7 @@ Drape describe(const ClothState& state) {
 std::string trouble(const Drape& drape) {
   if (drape.converged) return {};
   if (drape.cancelled) return "interrupted before it came to rest";
+  if (drape.fell_off) return "it slides off the body and falls: nothing holds it";
   return fmt::format("after {} iterations a force of {:.3g} N is still unbalanced ({:.3g} of what a vertex carries)",
                      drape.iterations, drape.residual_N, drape.residual_relative);
 }

@@ -26,6 +26,7 @@ struct ClothState {
 
 struct LargestResidual {
   double force = 0;   // [N]
+  int vertex = -1;    // where that is
   double moment = 0;  // [N m]
 };
 LargestResidual largest_residual(const Vector& gradient, const ClothUnknowns& unknowns);

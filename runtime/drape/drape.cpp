@@ -20,9 +20,9 @@
 namespace toile {
 namespace {
 
-constexpr double untangling_rate = 1e4;                             // [1/s2] how far a push against a crossing spreads
-constexpr double untangling_step = 0.05;                            // of the mean edge
-constexpr double free_accuracy = 0.05;  // of a cloth that may still pass through itself
+constexpr double untangling_rate = 1e4;   // [1/s2] how far a push against a crossing spreads
+constexpr double untangling_step = 0.05;  // of the mean edge
+constexpr double free_accuracy = 0.05;    // of a cloth that may still pass through itself
 constexpr int free_iterations = 120;
 constexpr int free_rounds = 5;
 constexpr double lowest_rest_lift = 1e-2, highest_rest_lift = 1e8;  // [1/s2]
@@ -93,7 +93,9 @@ class Draping {
     if (body != nullptr) {
       contact_ = std::make_unique<BodyContact>(cloth, *body, half_thicknesses(), frictions(*body));
       stiffness_ = body->spec().softness;
+      for (const Vec3& p : body->surface().points) lowest_of_body_ = std::min(lowest_of_body_, p.z);
     }
+    holds_ = !start.held.empty();
     q_ = Vector::Zero(elastic_.unknowns().count());
     for (int v = 0; v < cloth.vertex_count; ++v) {
       q_.segment<3>(3 * v) = to_eigen(start.positions[static_cast<std::size_t>(v)]);
@@ -143,6 +145,8 @@ class Draping {
   /// Towards rest with layers that pass through each other: about limbs and at rest, cloth lies as it is sewn.
   void settle_freely(const Job& job);
   NewtonProblem problem(std::vector<Form*> forms);
+  /// All of it is below the body, and nothing holds it.
+  bool falls_for_ever(const Vector& q) const;
   /// Gives the matrix places for the layers that touch at q.
   void fit(const Vector& q);
   /// Puts the matrix into an order that keeps its factor sparse.
@@ -162,6 +166,8 @@ class Draping {
   SparseMatrix matrix_;
   Cholesky cholesky_;
   double stiffness_ = 0;
+  double lowest_of_body_ = 1e300;  // [m]
+  bool holds_ = false;             // somewhere
   double weight_per_vertex_ = 0;
   double extent_ = 0;  // [m] of the cloth's start
   Vector q_;
@@ -248,6 +254,14 @@ double Draping::uncarried(const Vector& gradient) const {
   return sum;
 }
 
+bool Draping::falls_for_ever(const Vector& q) const {
+  if (!weighs() || !contact_ || holds_) return false;
+  for (int v = 0; v < cloth_.vertex_count; ++v) {
+    if (q[3 * v + 2] > lowest_of_body_) return false;
+  }
+  return true;
+}
+
 NewtonProblem Draping::problem(std::vector<Form*> forms) {
   return {std::move(forms),
           &matrix_,
@@ -255,7 +269,8 @@ NewtonProblem Draping::problem(std::vector<Form*> forms) {
           inertia(),
           3 * cloth_.vertex_count,
           [this](const Vector& gradient, const Vector& q) { return relative_residual(gradient, q); },
-          [this](const Vector& q) { fit(q); }};
+          [this](const Vector& q) { fit(q); },
+          [this](const Vector& q) { return falls_for_ever(q); }};
 }
 
 NewtonOutcome Draping::solve_newton(const Job& job) {
@@ -326,6 +341,7 @@ Drape Draping::run(const Job& job) {
   drape.factorisations = cholesky_.factorisations();
   drape.residual_relative = outcome.residual;
   drape.crossing_pairs = intersecting_triangle_pairs(cloth_, drape.positions);
+  drape.fell_off = !drape.converged && falls_for_ever(q_);
   drape.trouble = trouble(drape);
   return drape;
 }

@@ -60,7 +60,9 @@ struct Drape {
   int crossing_pairs = 0;              // of triangles, of the cloth with itself; 0 unless it cannot be otherwise
   bool converged = false;
   bool cancelled = false;
-  std::string trouble;  // what did not come to rest, in words; empty when converged
+  bool fell_off = false;  // the body: nothing holds it
+  int restless = -1;      // the vertex with the largest force that is left; -1 when there is none
+  std::string trouble;    // what did not come to rest, in words; empty when converged
   int iterations = 0;
   int factorisations = 0;
   double residual_N = 0;          // the largest norm of the total force on a free vertex

@@ -165,6 +165,28 @@ std::optional<DrapedLevels> Workroom::drape_warm(const DrapeCommand& command, co
   return result;
 }
 
+namespace {
+
+/// "; the most in piece front, at (12.3, -4.0, 101.2) cm".
+std::string where_restless(const Draped& draped) {
+  const int v = draped.drape.restless;
+  if (v < 0 || draped.drape.fell_off || draped.drape.cancelled) return "";
+  const SewnMesh& mesh = draped.made->mesh;
+  const PieceId piece =
+      mesh.p.piece_of_point[static_cast<std::size_t>(mesh.s.p_of_s[static_cast<std::size_t>(v)].front())];
+  const Vec3 at = draped.drape.positions[static_cast<std::size_t>(v)];
+  return fmt::format("; the most in piece {}, at ({:.1f}, {:.1f}, {:.1f}) cm",
+                     draped.made->garment.pieces[static_cast<std::size_t>(piece)].name, 100 * at.x, 100 * at.y,
+                     100 * at.z);
+}
+
+std::string help_with(const Drape& drape) {
+  return drape.fell_off ? "`wear` without `placed` holds an edge at a line of the body, as a waistband does"
+                        : "files and pictures show the state it reached; the report says what is left";
+}
+
+}  // namespace
+
 void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
   const Drape& result = draped.drape;
   const std::string on = draped.body ? " on " + draped.body->spec().name : "";
@@ -186,9 +208,10 @@ void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
   }
   if (!result.converged) {
     outcome_.unsettled = true;
-    diagnose(at_place(Severity::Warning, "W0509", command.written,
-                      fmt::format("{} did not come to rest: {}", draped.made->garment.name, result.trouble),
-                      "draped here", "files and pictures show the state it reached; the report says what is left"));
+    diagnose(at_place(
+        Severity::Warning, "W0509", command.written,
+        fmt::format("{} did not come to rest: {}{}", draped.made->garment.name, result.trouble, where_restless(draped)),
+        "draped here", help_with(result)));
   }
 }
 

@@ -194,6 +194,7 @@ NewtonOutcome Newton::run() {
     outcome.converged = outcome.residual <= options_.tolerance;
     outcome.cancelled = job_.is_cancelled();
     if (outcome.converged || outcome.cancelled || outcome.iterations >= options_.max_iterations) break;
+    if (problem_.is_lost && problem_.is_lost(q_)) break;
     if (job_.report) {
       const double way = std::log(std::max(first / options_.tolerance, 1 + 1e-9));
       const double done = std::log(std::max(outcome.residual / options_.tolerance, 1.0));

@@ -21,6 +21,8 @@ struct NewtonProblem {
       residual;  // relative; the gradient at held unknowns is zero
   /// Called before the matrix is filled at q: gives it (and the analysis) places for what the forms now couple.
   std::function<void(const Vector& q)> fit = {};
+  /// Whether it will never come to rest.
+  std::function<bool(const Vector& q)> is_lost = {};
 };
 
 struct NewtonOptions {

@@ -79,5 +79,19 @@ TEST(Layers, ComeApartWhenACornerStartsThroughTheOther) {
   EXPECT_EQ(drape.crossing_pairs, 0);
 }
 
+TEST(Layers, ComeApartWhenAStripHangsThroughTheOtherFromRimToRim) {
+  TwoSheets two = two_sheets(0, 0);
+  // It stands upright, three centimetres of it below the large sheet: the line in which they cross is as long as the
+  // strip is wide, wherever the strip is drawn to.
+  const test::Sheet small = test::rectangle(0.1, 0.08, 5, 4);
+  for (std::size_t i = 0; i < small.points.size(); ++i) {
+    two.start.positions[static_cast<std::size_t>(two.lower) + i] = {0.103, 0.037 + small.points[i].y,
+                                                                    small.points[i].x - 0.03};
+  }
+  ASSERT_GT(intersecting_triangle_pairs(two.cloth, two.start.positions), 0);
+  const Drape drape = toile::drape(two.cloth, voile(), nullptr, two.start, {.accuracy = 1e-3, .gravity = false}, {});
+  EXPECT_EQ(drape.crossing_pairs, 0);
+}
+
 }  // namespace
 }  // namespace toile

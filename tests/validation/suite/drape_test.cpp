@@ -77,7 +77,7 @@ DrapeFigures DrapeTest::from_flat(double edge) {
   for (const SewnMesh& each : meshes) cloths.push_back(make_cloth(each));
   std::vector<DrapeLevel> levels;
   for (std::size_t i = 0; i < meshes.size(); ++i) levels.push_back({&meshes[i], &cloths[i]});
-  const DrapedLevels result = drape_levels(levels, {}, {}, fabric_, body_.get(), {}, {});
+  const DrapedLevels result = drape_levels(levels, {}, {}, {fabric_}, body_.get(), {}, {});
   form_ = result.drape.positions;
   return figures(result.drape);
 }

@@ -33,16 +33,17 @@ struct Count {
 Chapter random_garments(Effort effort) {
   const unsigned seeds = effort == Effort::Full ? 1000 : 14;
   const int triangles = effort == Effort::Full ? 300 : 150;
-  Chapter chapter{"Random garments",
-                  fmt::format("Seeds 1 to {} of the generator in `tests/garments`: random outlines, seams, darts, pleats, "
-                              "sizes; cloths from silk to leather, a quarter of them from 1 g/m² to 2 kg/m² with EMT 0.1 % "
-                              "to 60 %; bodies or none; edges from 5 mm to 50 m. Each at about {} triangles on one thread, "
-                              "to 10⁻³, in a process of its own with {} s of processor time. Each ends in rest, or the "
-                              "report says what does not rest.",
-                              seeds, triangles, most_seconds),
-                  {},
-                  {},
-                  {}};
+  Chapter chapter{
+      "Random garments",
+      fmt::format("Seeds 1 to {} of the generator in `tests/garments`: random outlines, seams, darts, pleats, "
+                  "sizes; cloths from silk to leather, a quarter of them from 1 g/m² to 2 kg/m² with EMT 0.1 % "
+                  "to 60 %; bodies or none; edges from 5 mm to 50 m. Each at about {} triangles on one thread, "
+                  "to 10⁻³, in a process of its own with {} s of processor time. Each ends in rest, or the "
+                  "report says what does not rest.",
+                  seeds, triangles, most_seconds),
+      {},
+      {},
+      {}};
   std::map<std::string, Count> kinds;
   Count all;
   std::string lists;
@@ -63,10 +64,10 @@ Chapter random_garments(Effort effort) {
         within(fmt::format("{} garments", all.tried), fmt::format("that end so: {}", name(end)), 0, all.of(end), 0));
   }
   for (const auto& [name, count] : kinds) {
-    chapter.remarks.push_back(fmt::format("{}: {} of {} come to rest, {} are reported as not at rest, {} pass through "
-                                          "themselves",
-                                          name, count.of(End::Rest), count.tried, count.of(End::Reported),
-                                          count.of(End::Crossing)));
+    chapter.remarks.push_back(
+        fmt::format("{}: {} of {} come to rest, {} are reported as not at rest, {} pass through "
+                    "themselves",
+                    name, count.of(End::Rest), count.tried, count.of(End::Reported), count.of(End::Crossing)));
   }
   if (!lists.empty()) chapter.remarks.push_back("Seeds that end neither in rest nor in a report: " + lists);
   return chapter;
