@@ -111,8 +111,7 @@ class TargetFinder {
 
   /// Where the surface is steep along the rays the chart may be one to one and still fold triangles over each other.
   void find_folded_triangles() {
-    for (std::size_t t = 0; t < mesh_.p.triangles.size(); ++t) {
-      const std::array<int, 3>& corners = mesh_.p.triangles[t];
+    for (const std::array<int, 3>& corners : mesh_.p.triangles) {
       const Vec2 a = target_.chart[index(corners[0])], b = target_.chart[index(corners[1])],
                  c = target_.chart[index(corners[2])];
       if (cross(b - a, c - a) > 0) continue;

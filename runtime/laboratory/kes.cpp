@@ -151,7 +151,7 @@ struct Loop {
  private:
   double at(double x, int begin, int end) const {
     for (int i = begin; i < end; ++i) {
-      const Vec2 a = curve[static_cast<std::size_t>(i)], b = curve[static_cast<std::size_t>(i + 1)];
+      const Vec2 a = curve[static_cast<std::size_t>(i)], b = curve[static_cast<std::size_t>(i) + 1];
       if ((x - a.x) * (x - b.x) <= 0 && a.x != b.x) return a.y + (x - a.x) / (b.x - a.x) * (b.y - a.y);
     }
     return 0;
