@@ -8,8 +8,8 @@ namespace toile {
 namespace {
 
 constexpr int directions_about = 72;
-constexpr double level_step = 0.01;  // [m] between rings
-constexpr double farthest = 0.5;     // [m] from the middle to the skin
+constexpr double level_step = 0.01;    // [m] between rings
+constexpr double farthest_skin = 0.5;  // [m] from the middle to the skin
 
 }  // namespace
 
@@ -48,7 +48,7 @@ LegRings::LegRings(const Body& body, const LegFrame& frame, const std::vector<Di
 }
 
 double LegRings::room(Vec3 middle, Vec3 direction) const {
-  double most = farthest;
+  double most = farthest_skin;
   for (const Divide& divide : divides_) {
     const double towards = dot(direction, divide.away);
     const double left = dot(divide.point - middle, divide.away) - clearance_;
