@@ -205,7 +205,8 @@ class Answering {
     std::vector<std::vector<Vec2>> runs(1);
     double step = 0;
     const std::size_t count = points.size();
-    for (std::size_t i = 0; i < count; ++i) step += distance(points[i], points[(i + 1) % count]) / static_cast<double>(count);
+    for (std::size_t i = 0; i < count; ++i)
+      step += distance(points[i], points[(i + 1) % count]) / static_cast<double>(count);
     for (std::size_t i = 0; i < count; ++i) {
       const auto place = chart_.place_of(points[i]);
       const bool here = place && distance(chart_.at(*place).point, points[i]) < on_the_body + chart_.ease();

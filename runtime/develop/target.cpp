@@ -86,12 +86,12 @@ class TargetFinder {
     if (!missed_.emplace(drawn.drawn_name, 0).second) return;
     const std::string at = fmt::format("piece `{}` at {}", drawn.drawn_name, place_text(place));
     if (times == 0) {
-      target_.troubles.push_back(
-          drawn.chart->map == ChartSpec::Map::Conformal
-              ? Target::Trouble{at + " lies beyond the part of the body that its map shows",
-                                "give the map more reach, or keep the outline inside", drawn.written}
-              : Target::Trouble{at + " lies beyond the body: nothing is met there", "keep the outline on the body",
-                                drawn.written});
+      target_.troubles.push_back(drawn.chart->map == ChartSpec::Map::Conformal
+                                     ? Target::Trouble{at + " lies beyond the part of the body that its map shows",
+                                                       "give the map more reach, or keep the outline inside",
+                                                       drawn.written}
+                                     : Target::Trouble{at + " lies beyond the body: nothing is met there",
+                                                       "keep the outline on the body", drawn.written});
     } else {
       target_.troubles.push_back(
           {fmt::format("{} meets the body {} times: its chart is not one to one there", at, times),
