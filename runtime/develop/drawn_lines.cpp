@@ -14,8 +14,9 @@
 namespace toile {
 namespace {
 
-constexpr double tolerance = 1e-4;  // [m] of a curve from the line that it stands for
-constexpr int stretches = 96;       // of a shortest way
+constexpr double shortest_line = 1e-5;  // [m]
+constexpr double tolerance = 1e-4;      // [m] of a curve from the line that it stands for
+constexpr int stretches = 96;           // of a shortest way
 constexpr int most_pulls = 300;
 constexpr double still = 1e-8;         // [m] that no point moves by any more
 constexpr double finest = 0.002;       // [m] between points of a line in space
@@ -113,6 +114,9 @@ class Answering {
  private:
   Curve curve_or_error(const std::vector<Vec2>& places, const char* none) {
     if (error_.empty() && places.size() < 2) error_ = none;
+    const bool long_enough =
+        std::any_of(places.begin(), places.end(), [&](Vec2 p) { return distance(p, places.front()) > shortest_line; });
+    if (error_.empty() && !long_enough) error_ = "the line has no length: its points are one place";
     return error_.empty() ? curve_through(places) : Curve{};
   }
 

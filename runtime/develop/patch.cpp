@@ -147,9 +147,10 @@ class Slit {
     for (auto& triangle : parts) {
       if (lies_before(triangle)) continue;
       for (int& point : triangle) {
-        if (sides_[index(point)] != 0 || !on_this_half(patch_.points[index(point)])) continue;
+        const Vec3 place = patch_.points[index(point)];
+        if (sides_[index(point)] != 0 || !on_this_half(place)) continue;
         const auto [copy, is_new] = behind.try_emplace(point, static_cast<int>(patch_.points.size()));
-        if (is_new) patch_.points.push_back(Vec3(patch_.points[index(point)]));
+        if (is_new) patch_.points.push_back(place);
         point = copy->second;
       }
     }

@@ -4,6 +4,7 @@
 #include <array>
 #include <utility>
 
+#include "runtime/develop/grain_study.hpp"
 #include "runtime/export/pattern_text.hpp"
 #include "runtime/fabric/law.hpp"
 #include "runtime/report/report.hpp"
@@ -76,10 +77,9 @@ std::string development_report(const Developed& developed, const std::string& sc
   const MadeGarment& drawn = *developed.drawn;
   const int triangles =
       static_cast<int>(drawn.mesh.p.triangles.size() / std::max<std::size_t>(1, drawn.garment.pieces.size()));
-  const DevelopmentStudies studies{study_grain(drawn.mesh, make_law(drawn.garment.fabric), developed.development, {}),
-                                   without_each_dart(developed.draft, *developed.on_form.body, triangles, {})};
   return report_json(script, developed.on_form.view(), developed.development, developed.redrawn, developed.proposed,
-                     studies);
+                     without_each_dart(developed.draft, *developed.on_form.body, triangles, {}),
+                     study_grain(drawn.mesh, make_law(drawn.garment.fabric), developed.development, {}));
 }
 
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,

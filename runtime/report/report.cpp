@@ -2,6 +2,8 @@
 
 #include <nlohmann/json.hpp>
 
+#include "runtime/develop/darts.hpp"
+#include "runtime/develop/grain_study.hpp"
 #include "runtime/develop/redraw.hpp"
 #include "runtime/export/json_layout.hpp"
 #include "runtime/report/summary.hpp"
@@ -146,7 +148,7 @@ std::string report_json(const std::string& script, const DrapedGarment& draped) 
 
 std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
                         const Redrawn& redrawn, const std::vector<ProposedDart>& proposed,
-                        const DevelopmentStudies& studies) {
+                        const std::vector<ProposedDart>& drawn, const GrainStudy& grain) {
   const Summary summary = summarise(on_form);
   const Flattened& flat = development.flat;
   return text({{"schema", 1},
@@ -171,9 +173,9 @@ std::string report_json(const std::string& script, const DrapedGarment& on_form,
                  {"seam_mismatch_m", flat.mismatch},
                  {"outline_error_m", redrawn.error},
                  {"darts", darts(on_form, development)},
-                 {"without_each_dart", without_each(studies.darts)},
+                 {"without_each_dart", without_each(drawn)},
                  {"darts_proposed", json(proposed)},
-                 {"grain", json(studies.grain)}}}});
+                 {"grain", json(grain)}}}});
 }
 
 std::string profile_json(const Profile& profile) {

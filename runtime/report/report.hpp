@@ -4,26 +4,22 @@
 #include <string>
 #include <vector>
 
-#include "runtime/develop/darts.hpp"
-#include "runtime/develop/grain_study.hpp"
 #include "runtime/export/export.hpp"
 
 namespace toile {
 
+struct Development;
+struct GrainStudy;
+struct ProposedDart;
 struct Redrawn;
 
 std::string report_json(const std::string& script, const DrapedGarment& draped);
 
-/// What a development was held against.
-struct DevelopmentStudies {
-  GrainStudy grain;
-  std::vector<ProposedDart> darts;  // each of those drawn left out
-};
-
-/// The same of a development: the cloth as it lies on its form, and what came out of flattening it.
+/// The same of a development: the cloth as it lies on its form, what came out of flattening it, and what it was held
+/// against: other grains, and each of the darts `drawn` left out.
 std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
                         const Redrawn& redrawn, const std::vector<ProposedDart>& proposed,
-                        const DevelopmentStudies& studies);
+                        const std::vector<ProposedDart>& drawn, const GrainStudy& grain);
 
 struct Profile {
   double compile_s = 0, mesh_s = 0, place_s = 0, solve_s = 0, total_s = 0, cpu_s = 0;

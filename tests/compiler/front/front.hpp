@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <array>
 #include <map>
 #include <string>
 #include <vector>
@@ -48,11 +49,14 @@ class FakeWorld : public World {
     }
     return lines;
   }
-  /// Everything is where it is drawn, and lines are straight.
+  /// A body that is flat, seen from above: its lines run straight across, as all other lines do.
   std::variant<ChartAnswer, std::string> charted(const BodySpec&, const ChartSpec&,
                                                  const ChartQuestion& question) override {
-    const bool has_ends = question.kind == ChartQuestion::Kind::Geodesic;
-    return ChartAnswer{{}, has_ends ? line(question.from, question.to) : line({0, 0}, {0.1, 0})};
+    if (question.kind == ChartQuestion::Kind::Geodesic) return ChartAnswer{{}, line(question.from, question.to)};
+    if (question.points.empty()) return ChartAnswer{{}, line({-0.3, 0}, {0.3, 0})};
+    const auto at = [](const std::array<double, 3>& point) { return Vec2{point[0], point[1]}; };
+    const Vec2 first = at(question.points.front());
+    return ChartAnswer{first, question.points.size() > 1 ? line(first, at(question.points.back())) : Curve{}};
   }
 };
 
