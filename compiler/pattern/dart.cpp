@@ -147,7 +147,9 @@ const PieceEdge* crossed_edge(const DrawnPiece& drawn, const Wedge& wedge) {
 bool fits(const DraftPiece& draft, const DrawnPiece& drawn, const Wedge& wedge, Findings& findings) {
   const DraftDart& dart = *wedge.draft;
   const double room = room_for(drawn, wedge), depth = depth_of(wedge);
-  if (room < depth - kSame || !in_cloth(drawn, wedge.tip)) {
+  // From its mouth a dart leads into the cloth; a tip of its own may lie anywhere.
+  const bool has_own_tip = wedge.inside() || dart.tip;
+  if (room < depth - kSame || (has_own_tip && !in_cloth(drawn, wedge.tip))) {
     findings.error("E0311", fmt::format("{} is deeper than piece {} there", described(dart), quoted(draft.name)),
                    {{dart.written, fmt::format("{} deep, where the piece is {} deep", in_cm(depth), in_cm(room))},
                     {draft.written, "the piece"}},

@@ -212,7 +212,7 @@ TEST(Holes, AreNamedAloneForAllTheirEdges) {
 TEST(Pieces, SayNothingTwice) {
   const Script script(with_piece(square + "    grain down\n    allowance 1cm, south 2cm, south 3cm\n    grain up\n"
                                           "    label \"a\"\n    label \"b\"\n    cut 2\n    cut 4\n"));
-  EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0102 10:30"), StartsWith("E0102 11:5"), StartsWith("E0102 13:5"),
+  EXPECT_THAT(script.told(), ElementsAre(StartsWith("E0102 10:31"), StartsWith("E0102 11:5"), StartsWith("E0102 13:5"),
                                          StartsWith("E0102 15:5")));
 }
 
