@@ -39,7 +39,7 @@ constexpr std::array forms{
     Form{"import", "import NAME, or: import \"file.toile\" as NAME"},
     Form{"label", "label \"TEXT\""},
     Form{"let", "let NAME = VALUE"},
-    Form{"line", "NAME = line to POINT, or in a piece: line NAME from POINT { ... }"},
+    Form{"line", "NAME = line to POINT"},
     Form{"mark", "mark CURVE, or: mark LINE folded 90deg"},
     Form{"notch", "notch at PLACE of EDGE"},
     Form{"outline", "outline from POINT { ... }, an edge a line"},
@@ -77,6 +77,7 @@ std::string_view form_of_statement(std::string_view text, std::uint32_t at) {
   // An edge is told by the word behind its `=`, for it may have any name.
   const std::size_t equals = skip_blanks_from(text, line + first.size());
   const bool edge = !first.empty() && equals < text.size() && text[equals] == '=';
+  if (!edge && first == "line") return "line NAME from POINT { ... }";  // inside a piece
   return form_called(edge ? syntax::word_at(text, skip_blanks_from(text, equals + 1)) : first);
 }
 

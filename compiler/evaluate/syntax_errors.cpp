@@ -147,7 +147,10 @@ std::string meant(const Source& source, const SyntaxError& error) {
   const bool decimal = found == "," && error.span.begin > 0 && error.span.end < all.size() &&
                        std::isdigit(static_cast<unsigned char>(all[error.span.begin - 1])) != 0 &&
                        std::isdigit(static_cast<unsigned char>(all[error.span.end])) != 0;
-  if (decimal) return "a decimal has a point: `3.5cm`";
+  const bool after_comma = error.span.begin > 1 && all[error.span.begin - 1] == ',' && !found.empty() &&
+                           std::isdigit(static_cast<unsigned char>(found.front())) != 0 &&
+                           std::isdigit(static_cast<unsigned char>(all[error.span.begin - 2])) != 0;
+  if (decimal || after_comma) return "a decimal has a point: `3.5cm`";
   const bool compares =
       found == "<" || found == ">" || found == "<=" || found == ">=" || found == "==" || found == "!=";
   if (compares) return "comparisons do not chain: `a < b and b < c`";

@@ -28,6 +28,12 @@ struct Wedge {
     if (inside()) return {line(other_tip, from), line(from, tip), line(tip, to), line(to, other_tip)};
     return {line(from, tip), line(tip, to)};
   }
+  // The same, of a dart on an edge, but for the very mouth: there they meet that edge.
+  std::vector<Curve> sides_off_mouth() const {
+    constexpr double kOff = 1e-4;  // [m]
+    const auto off = [&](Vec2 mouth) { return mouth + std::min(kOff / distance(mouth, tip), 0.25) * (tip - mouth); };
+    return {line(off(from), tip), line(tip, off(to))};
+  }
 };
 
 std::string described(const DraftDart& dart) {
@@ -124,7 +130,7 @@ const PieceEdge* crossed_edge(const DrawnPiece& drawn, const Wedge& wedge) {
   for (int i = 0; i < drawn.piece.edge_count(); ++i) {
     const PieceEdge& edge = drawn.piece.edge(i);
     const double length = edge.curve.length();
-    for (const Curve& side : wedge.sides()) {
+    for (const Curve& side : i == own_edge ? wedge.sides_off_mouth() : wedge.sides()) {
       for (const Crossing& crossing : crossings(side, edge.curve)) {
         const bool at_mouth = !wedge.inside() && (crossing.s_first < kSame || crossing.s_first > side.length() - kSame);
         const bool own =
@@ -141,7 +147,9 @@ const PieceEdge* crossed_edge(const DrawnPiece& drawn, const Wedge& wedge) {
 bool fits(const DraftPiece& draft, const DrawnPiece& drawn, const Wedge& wedge, Findings& findings) {
   const DraftDart& dart = *wedge.draft;
   const double room = room_for(drawn, wedge), depth = depth_of(wedge);
-  if (room < depth - kSame || !in_cloth(drawn, wedge.tip)) {
+  // From its mouth a dart leads into the cloth; a tip of its own may lie anywhere.
+  const bool has_own_tip = wedge.inside() || dart.tip;
+  if (room < depth - kSame || (has_own_tip && !in_cloth(drawn, wedge.tip))) {
     findings.error("E0311", fmt::format("{} is deeper than piece {} there", described(dart), quoted(draft.name)),
                    {{dart.written, fmt::format("{} deep, where the piece is {} deep", in_cm(depth), in_cm(room))},
                     {draft.written, "the piece"}},

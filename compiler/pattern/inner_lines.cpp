@@ -94,9 +94,13 @@ class LineCheck {
 
   // Only an end of a line may lie on the rim of the cloth, and none where that is folded or cut away.
   bool keeps_clear(const Curve& whole, const PieceEdge& rim) {
-    const double middle = rim.curve.length() / 2;
-    const double beside = nearest_place(whole, rim.curve.at(middle));
-    if (distance(whole.at(beside), rim.curve.at(middle)) < kTouches && !is_end(whole, beside)) {
+    const double middle = rim.curve.length() / 2, beside = nearest_place(whole, rim.curve.at(middle));
+    const bool covered = distance(whole.at(beside), rim.curve.at(middle)) < kTouches && !is_end(whole, beside);
+    const bool covers = std::any_of(edges_.begin(), edges_.end(), [&](const PieceEdge& edge) {
+      const Vec2 on = edge.curve.at(edge.curve.length() / 2);
+      return distance(rim.curve.at(nearest_place(rim.curve, on)), on) < kTouches;
+    });
+    if (covered || covers) {
       return fail(fmt::format("runs along edge {}", quoted(rim.name)), rim.written, "the edge",
                   "what is sewn there is sewn to the edge itself");
     }

@@ -63,22 +63,18 @@ void ElasticForm::make_hinges(const Cloth& cloth) {
   };
   // Hinge e belongs to edge e; further pairs of wings, and single ones, come after all edges.
   for (int edge = 0; edge < cloth.edge_count; ++edge) {
-    const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
-    const SMesh::Wing& first = wings.front();
-    if (wings.size() == 1) {
-      free_wing(edge, first);
-      continue;
+    const SMesh::Edge& of = cloth.edges[static_cast<size_t>(edge)];
+    if (of.wings.size() == 1) {
+      free_wing(edge, of.wings.front());
+    } else {
+      pair(edge, of.wings[0], of.wings[1], of.crease);
     }
-    pair(edge, first, wings[1], cloth.edges[static_cast<size_t>(edge)].crease);
   }
   for (int edge = 0; edge < cloth.edge_count; ++edge) {
-    const auto& wings = cloth.edges[static_cast<size_t>(edge)].wings;
-    size_t extra = 2;
-    if (cloth.edges[static_cast<size_t>(edge)].pairs == 2) {
-      pair(edge, wings[2], wings[3], 0);
-      extra = 4;
-    }
-    for (; extra < wings.size(); ++extra) free_wing(edge, wings[extra]);
+    const SMesh::Edge& of = cloth.edges[static_cast<size_t>(edge)];
+    const size_t paired = of.pairs == 2 ? 4 : 2;
+    if (paired == 4) pair(edge, of.wings[2], of.wings[3], 0);
+    for (size_t wing = paired; wing < of.wings.size(); ++wing) free_wing(edge, of.wings[wing]);
   }
 }
 

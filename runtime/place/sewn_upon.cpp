@@ -82,7 +82,7 @@ class OntoBase {
       from_ = from_ + at(own);
       to_ = to_ + at(base);
     }
-    const double n = static_cast<double>(upon.points.size());
+    const auto n = static_cast<double>(upon.points.size());
     from_ = from_ / n;
     to_ = to_ / n;
     double cosine = 0, sine = 0;

@@ -151,7 +151,7 @@ class RandomScript : private RandomExpression {
     if (below(4) == 0) return fullness();
     switch (below(9)) {
       case 0:
-        word("outline");
+        word(below(3) > 0 ? "outline" : below(2) == 0 ? "hole eye" : "line place");
         word("from");
         expression();
         put(" ");
@@ -166,6 +166,7 @@ class RandomScript : private RandomExpression {
         return properties();
       case 3:
         word("notch");
+        if (below(3) == 0) word("half");
         return position();
       case 4:
         word("allowance");

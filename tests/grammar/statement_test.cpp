@@ -215,8 +215,8 @@ TEST(Statement, PieceDetails) {
       "fold line\ncut 2 mirrored\ngrain bias\n"
       "dart d at 3cm of waist {\n  width 2cm\n  depth 9cm\n}\n"
       "notch at 18cm of fold\nallowance 1cm, hem 4cm, side 2cm\nlabel \"front\"");
-  EXPECT_EQ(script(script.in_piece<Hole>().name()), "pocket");
-  EXPECT_EQ(script(script.in_piece<Hole>().origin()), "(1, 1)");
+  EXPECT_EQ(script(script.in_piece<Inner>().name()), "pocket");
+  EXPECT_EQ(script(script.in_piece<Inner>().origin()), "(1, 1)");
   EXPECT_EQ(script(script.in_piece<Fold>().edge()), "line");
   EXPECT_TRUE(script.in_piece<Cut>().mirrored());
   EXPECT_EQ(script.in_piece<Grain>().direction()->kind(), Kind::KwBias);
@@ -227,6 +227,15 @@ TEST(Statement, PieceDetails) {
   EXPECT_EQ(script(script.in_piece<Notch>().position()->edge()), "fold");
   EXPECT_THAT(script(script.in_piece<Allowance>().exceptions()), ElementsAre("hem 4cm", "side 2cm"));
   EXPECT_EQ(script(script.in_piece<Label>().text()), "\"front\"");
+}
+
+TEST(Statement, LinesOfAPieceAreWalkedLikeHoles) {
+  const Script script =
+      in_piece("line place from (1, 1) {\n  left = line to (1, 5)\n}\nnotch half at 50% of place.left");
+  EXPECT_TRUE(script.in_piece<Inner>().is_line());
+  EXPECT_EQ(script(script.in_piece<Inner>().name()), "place");
+  EXPECT_EQ(script(script.in_piece<Inner>().origin()), "(1, 1)");
+  EXPECT_EQ(script(script.in_piece<Notch>().name()), "half");
 }
 
 TEST(Statement, GrainIsAWordOrAnAngle) {

@@ -103,7 +103,9 @@ TEST(Lines, ThatStrayAreErrors) {
   EXPECT_THAT(codes_with(pocket_line(0.15, 0.35)), IsEmpty());
   EXPECT_THAT(codes_with(pocket_line(0.35, 0.35)), ElementsAre("E0339"));  // over the edge
   EXPECT_THAT(codes_with(pocket_line(0.5, 0.35)), ElementsAre("E0339"));   // beside the piece
-  EXPECT_THAT(codes_with({"along", {edge("a", line({0, 0.1}, {0, 0.3}))}, next_place()}), ElementsAre("E0339"));
+  for (const double end : {0.2, 0.3}) {  // along the edge, short of its middle or beyond
+    EXPECT_THAT(codes_with({"along", {edge("a", line({0, 0.1}, {0, end}))}, next_place()}), ElementsAre("E0339"));
+  }
   EXPECT_THAT(codes_with({"bow",
                           {edge("a", line({0.1, 0.1}, {0.3, 0.3})), edge("b", line({0.3, 0.3}, {0.3, 0.1})),
                            edge("c", line({0.3, 0.1}, {0.1, 0.3}))},
