@@ -50,7 +50,7 @@ class Flaps {
     FlapPull pull{Vector::Zero(q_.size()), std::vector<bool>(pairs_.size(), false)};
     find_lines();
     for (const auto& [line, passages] : lines_) {
-      if (!cut_off(passages, pull.force)) continue;
+      if (!cut_off(passages, ends_of(line), pull.force)) continue;
       for (std::size_t i = 0; i < pairs_.size(); ++i) {
         if (root(line_of_, static_cast<int>(i)) == line) pull.of_flap[i] = true;
       }
@@ -79,9 +79,23 @@ class Flaps {
     for (const auto& [key, passage] : found) lines_[root(line_of_, passage.first)].push_back(passage.second);
   }
 
-  /// The area of the cloth that can be reached from a vertex without going along the cut edges, given up where it is
-  /// more than `most`; the vertices are then in `reached`.
-  double reach(int from, const std::set<int>& cut, double most, std::set<int>& reached) const {
+  /// Vertices in which a line ends: of pairs of triangles that have one in common.
+  std::set<int> ends_of(int line) {
+    std::set<int> ends;
+    for (std::size_t i = 0; i < pairs_.size(); ++i) {
+      if (root(line_of_, static_cast<int>(i)) != line) continue;
+      const std::array<int, 3>& other = cloth_.triangles[index(pairs_[i][1])].vertices;
+      for (const int v : cloth_.triangles[index(pairs_[i][0])].vertices) {
+        if (std::ranges::find(other, v) != other.end()) ends.insert(v);
+      }
+    }
+    return ends;
+  }
+
+  /// The area of the cloth that can be reached from a vertex without going along the cut edges or through the
+  /// ends of the line, given up where it is more than `most`; the vertices are then in `reached`.
+  double reach(int from, const std::set<int>& cut, const std::set<int>& ends, double most,
+               std::set<int>& reached) const {
     std::vector<int> next{from};
     reached = {from};
     double area = 0;
@@ -90,23 +104,23 @@ class Flaps {
       next.pop_back();
       area += cloth_.area_of_vertex[index(v)];
       for (const auto& [w, edge] : neighbours_[index(v)]) {
-        if (!cut.contains(edge) && reached.insert(w).second) next.push_back(w);
+        if (!cut.contains(edge) && !ends.contains(w) && reached.insert(w).second) next.push_back(w);
       }
     }
     return area;
   }
 
   /// Pulls the smaller part back that a line cuts off; false when it cuts nothing off.
-  bool cut_off(const std::vector<Through>& passages, Vector& force) const {
+  bool cut_off(const std::vector<Through>& passages, const std::set<int>& ends, Vector& force) const {
     std::set<int> cut;
     for (const Through& each : passages) cut.insert(each.edge);
     std::set<int> flap;
     double smallest = 0.4 * cloth_.area;
     for (const Through& each : passages) {
       for (const int end : cloth_.edges[index(each.edge)].vertices) {
-        if (flap.contains(end)) continue;
+        if (flap.contains(end) || ends.contains(end)) continue;
         std::set<int> reached;
-        const double area = reach(end, cut, smallest, reached);
+        const double area = reach(end, cut, ends, smallest, reached);
         if (area >= smallest) continue;
         smallest = area;
         flap = std::move(reached);

@@ -13,6 +13,7 @@ namespace toile {
 namespace {
 
 constexpr int most_steps = 100;
+constexpr int further_steps = 3;
 constexpr int rings_about_crossings = 3;
 
 bool has(const std::array<int, 3>& triangle, int vertex) {
@@ -115,7 +116,7 @@ std::vector<bool> about_crossings(const Cloth& cloth, const Vector& q) {
 
 int untangle(const Cloth& cloth, const std::function<Vector(const Vector& force)>& readily, double longest,
              const Job& job, Vector& q) {
-  Vector best = q;
+  Vector best = q, last = Vector::Zero(q.size());
   int least = -1;
   for (int step = 0; step <= 2 * most_steps; ++step) {
     // The lines get shorter first; what that does not undo hangs through the cloth as a flap.
@@ -130,9 +131,16 @@ int untangle(const Cloth& cloth, const std::function<Vector(const Vector& force)
     const Vector motion = readily(pull_apart(cloth, q, pairs, step >= most_steps));
     const double size = longest_of(cloth, motion);
     if (!(size > 0)) break;
-    q += longest / size * motion;
+    last = longest / size * motion;
+    q += last;
   }
   q = best;
+  // What has just come apart hardly has room between: on the same way, as long as nothing else gets crossed.
+  for (int step = 0; least == 0 && last.squaredNorm() > 0 && step < further_steps; ++step) {
+    const Vector further = q + last;
+    if (!intersecting_triangles(cloth, positions(cloth, further)).empty()) break;
+    q = further;
+  }
   return least;
 }
 

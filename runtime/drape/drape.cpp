@@ -4,6 +4,7 @@
 #include <cmath>
 #include <memory>
 #include <numeric>
+#include <variant>
 
 #include "runtime/contact/body_contact.hpp"
 #include "runtime/contact/self_contact.hpp"
@@ -26,6 +27,7 @@ constexpr double free_accuracy = 0.05;    // of a cloth that may still pass thro
 constexpr int free_iterations = 120;
 constexpr int free_rounds = 5;
 constexpr double lowest_rest_lift = 1e-2, highest_rest_lift = 1e8;  // [1/s2]
+constexpr double out_of_touch = 0.02;                               // [m] below a body
 constexpr double usual_extent = 2;  // [m] of what the solver's longest step is meant for
 // Of a vertex's weight: what a force is measured by where there is neither gravity nor tension, as in a flat cloth.
 constexpr double weightless_scale = 1e-6;
@@ -94,6 +96,7 @@ class Draping {
       contact_ = std::make_unique<BodyContact>(cloth, *body, half_thicknesses(), frictions(*body));
       stiffness_ = body->spec().softness;
       for (const Vec3& p : body->surface().points) lowest_of_body_ = std::min(lowest_of_body_, p.z);
+      is_floor_ = std::holds_alternative<PlaneSpec>(body->spec().shape) || body->surface().points.empty();
     }
     holds_ = !start.held.empty();
     q_ = Vector::Zero(elastic_.unknowns().count());
@@ -168,6 +171,7 @@ class Draping {
   double stiffness_ = 0;
   double lowest_of_body_ = 1e300;  // [m]
   bool holds_ = false;             // somewhere
+  bool is_floor_ = false;          // the body: nothing falls past it
   double weight_per_vertex_ = 0;
   double extent_ = 0;  // [m] of the cloth's start
   Vector q_;
@@ -255,9 +259,9 @@ double Draping::uncarried(const Vector& gradient) const {
 }
 
 bool Draping::falls_for_ever(const Vector& q) const {
-  if (!weighs() || !contact_ || holds_) return false;
+  if (!weighs() || !contact_ || holds_ || is_floor_) return false;
   for (int v = 0; v < cloth_.vertex_count; ++v) {
-    if (q[3 * v + 2] > lowest_of_body_) return false;
+    if (q[3 * v + 2] > lowest_of_body_ - out_of_touch) return false;
   }
   return true;
 }

@@ -190,20 +190,22 @@ std::string fabric(Dice& dice) {
 struct Kind {
   const char* name;
   std::string (*make)(Dice&);
+  int least_triangles = 0;
 };
+constexpr int limbs = 800;
 constexpr std::array<Kind, 14> kinds{{{"cloth on a body", cloth_on_a_body},
                                       {"skirt of gores", skirt_of_gores},
                                       {"bag", bag},
                                       {"cape", cape},
                                       {"patchwork", patchwork},
-                                      {"trousers", trousers},
+                                      {"trousers", trousers, limbs},
                                       {"prism", prism},
-                                      {"blouse", blouse},
+                                      {"blouse", blouse, limbs},
                                       {"sleeve on a post", sleeve_on_a_post},
                                       {"skirt with a ruffle", skirt_with_a_ruffle},
                                       {"floating cloth", floating_cloth},
                                       {"poncho", poncho},
-                                      {"T-shirt", t_shirt},
+                                      {"T-shirt", t_shirt, limbs},
                                       {"pleated skirt", pleated_skirt}}};
 
 }  // namespace
@@ -212,7 +214,7 @@ RandomGarment random_garment(unsigned seed) {
   Dice dice(seed);
   const Kind& kind = kinds[seed % kinds.size()];
   std::string text = "import bodies\nimport blocks\nimport fabrics\nimport sizing\n" + fabric(dice) + kind.make(dice);
-  return {kind.name, std::move(text)};
+  return {kind.name, std::move(text), kind.least_triangles};
 }
 
 const std::vector<std::string>& kinds_of_random_garments() {

@@ -7,8 +7,9 @@
 namespace toile::test {
 
 struct RandomGarment {
-  std::string kind;  // "cloth on a body", "skirt of gores", …
-  std::string text;  // the script; its last line drapes the garment
+  std::string kind;         // "cloth on a body", "skirt of gores", …
+  std::string text;         // the script; its last line drapes the garment
+  int least_triangles = 0;  // with fewer a limb is no tube
 };
 
 /// One of each kind in turn: of a run of seeds every kind gets its share. Cloths reach from silk to leather and beyond

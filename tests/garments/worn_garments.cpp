@@ -88,7 +88,7 @@ std::string skirt_with_a_ruffle(Dice& dice) {
 
 std::string pleated_skirt(Dice& dice) {
   const int pleats = dice.from(2, 4);
-  static const std::vector<std::string> kinds{"", "pressed left, ", "inverted, ", "box, width 3cm, "};
+  static const std::vector<std::string> kinds{"", "pressed left, ", "inverted, ", "box, width 5cm, "};
   return form(dice) +
          fmt::format(R"(garment thing in cloth {{
   let depth = {0}

@@ -2,6 +2,7 @@
 // they end. With --print the scripts stand on the standard output instead and nothing is tried.
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cstdlib>
 #include <map>
 #include <string>
@@ -28,7 +29,7 @@ int main(int argc, char** argv) {
       fmt::print("{}", garment.text);
       continue;
     }
-    const Trial trial = try_script(garment.text, triangles, most_seconds);
+    const Trial trial = try_script(garment.text, std::max(triangles, garment.least_triangles), most_seconds);
     ++count[name(trial.end)];
     fmt::print("{:5} {:20} {:10} {:6} tri {:5} it {:8.2g} res {:4} cross {:7.2g} mm {:6.2f} s {}\n", seed, garment.kind,
                name(trial.end), trial.triangles, trial.iterations, trial.residual, trial.crossing_pairs,
