@@ -41,11 +41,11 @@ class World {
 using Result = std::map<std::string, double>;
 
 struct DrapeCommand {
-  int garment = 0;        // index into Program::garments
+  int garment = 0;          // index into Program::garments
   std::vector<int> over{};  // the garments that it is worn over, from the outside in
-  std::string developed;  // the name of the development whose pattern is draped, back on its form; else empty
-  int body = -1;          // index into Program::bodies, or -1: floats, no gravity
-  std::string name;       // "worn"; empty when unnamed
+  std::string developed;    // the name of the development whose pattern is draped, back on its form; else empty
+  int body = -1;            // index into Program::bodies, or -1: floats, no gravity
+  std::string name;         // "worn"; empty when unnamed
   std::optional<double> accuracy;
   Location written;
 };
