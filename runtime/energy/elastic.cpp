@@ -16,10 +16,6 @@ Vector3 point(const Vector& q, int vertex) {
   return q.segment<3>(3 * vertex);
 }
 
-Corners corners(const std::array<int, 3>& vertices, const Vector& q) {
-  return {point(q, vertices[0]), point(q, vertices[1]), point(q, vertices[2])};
-}
-
 }  // namespace
 
 ElasticForm::ElasticForm(const Cloth& cloth, const FabricLaw& law, Loops loops)
@@ -137,6 +133,10 @@ double ElasticForm::angle(size_t hinge, const Vector& q) const {
   constexpr double turn = 2 * std::numbers::pi;
   const double raw = dihedral(hinge_points(hinges_[hinge], q)) - hinges_[hinge].crease;
   return raw + turn * std::round((last_angle_[hinge] - raw) / turn);
+}
+
+Corners ElasticForm::corners(const std::array<int, 3>& vertices, const Vector& q) {
+  return {point(q, vertices[0]), point(q, vertices[1]), point(q, vertices[2])};
 }
 
 std::vector<double> ElasticForm::angles(const Vector& q) const {
@@ -351,54 +351,6 @@ void ElasticForm::remember(const Vector& q) {
               anchor_after(law(t).bend_warp.loop(), memory.bend_warp, k.warp),
               anchor_after(law(t).bend_weft.loop(), memory.bend_weft, k.weft)};
   }
-}
-
-ElasticParts ElasticForm::parts(const Vector& q) const {
-  const std::vector<double> theta = angles(q);
-  ElasticParts parts;
-  for (size_t t = 0; t < triangles_.size(); ++t) {
-    const Triangle& triangle = triangles_[t];
-    const MembraneEnergy stretch =
-        membrane_energy(law(t), triangle.membrane, corners(triangle.vertices, q), nullptr, memory(t));
-    const BendingEnergy bend =
-        bending_energy(law(t), triangle.bending, triangle_angles(triangle, theta, q), nullptr, memory(t));
-    parts.stretch.warp += stretch.warp;
-    parts.stretch.weft += stretch.weft;
-    parts.stretch.shear += stretch.shear;
-    parts.bend.warp += bend.warp;
-    parts.bend.weft += bend.weft;
-    parts.bend.twist += bend.twist;
-  }
-  return parts;
-}
-
-std::vector<MembraneStrain> ElasticForm::strains(const Vector& q) const {
-  std::vector<MembraneStrain> strains;
-  strains.reserve(triangles_.size());
-  for (const Triangle& triangle : triangles_) {
-    strains.push_back(membrane_strain(triangle.membrane, corners(triangle.vertices, q)));
-  }
-  return strains;
-}
-
-std::vector<Curvatures> ElasticForm::curvatures(const Vector& q) const {
-  const std::vector<double> theta = angles(q);
-  std::vector<Curvatures> curvatures;
-  curvatures.reserve(triangles_.size());
-  for (const Triangle& triangle : triangles_) {
-    curvatures.push_back(toile::curvatures(triangle.bending, triangle_angles(triangle, theta, q)));
-  }
-  return curvatures;
-}
-
-double ElasticForm::mean_internal_force(const Vector& q) const {
-  double sum = 0;
-  Vector9 force;
-  for (size_t t = 0; t < triangles_.size(); ++t) {
-    membrane_energy(law(t), triangles_[t].membrane, corners(triangles_[t].vertices, q), &force);
-    for (Eigen::Index corner = 0; corner < 3; ++corner) sum += force.segment<3>(3 * corner).norm();
-  }
-  return unknowns_.vertices > 0 ? sum / unknowns_.vertices : 0;
 }
 
 }  // namespace toile

@@ -105,6 +105,7 @@ class ElasticForm : public Form {
   void make_elements();
   std::vector<int> unknowns_of(const Element& element, const Triangle& triangle) const;
   Hinge hinge_points(const ClothHinge& hinge, const Vector& q) const;
+  static Corners corners(const std::array<int, 3>& vertices, const Vector& q);
   double angle(std::size_t hinge, const Vector& q) const;
   std::vector<double> angles(const Vector& q) const;
   using AnglesByUnknowns = Eigen::Matrix<double, 3, Eigen::Dynamic, Eigen::RowMajor, 3, 21>;
