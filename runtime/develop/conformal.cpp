@@ -74,8 +74,7 @@ bool ConformalMap::lay_out() {
   Vector places = Vector::Zero(static_cast<Eigen::Index>(unknowns));
   places[2 * second] = distance(patch_.points[index(first)], patch_.points[index(second)]);
   Vector slope = Vector::Zero(places.size());
-  for (std::size_t t = 0; t < patch_.triangles.size(); ++t) {
-    const auto& corner = patch_.triangles[t];
+  for (const auto& corner : patch_.triangles) {
     const auto flat = target_triangle(
         {patch_.points[index(corner[0])], patch_.points[index(corner[1])], patch_.points[index(corner[2])]});
     if (!flat || !(2 * flat->area > least_twice_area)) continue;

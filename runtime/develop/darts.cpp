@@ -278,7 +278,7 @@ class PieceWithDarts {
   }
 
   void leave_out_needless(double strain) {
-    for (std::size_t i = static_cast<std::size_t>(drawn_); i < darts().size() && added() > 1;) {
+    for (auto i = static_cast<std::size_t>(drawn_); i < darts().size() && added() > 1;) {
       std::vector<DraftDart> others = darts();
       others.erase(others.begin() + static_cast<std::ptrdiff_t>(i));
       const std::optional<ResidualStrain> left = tried(others, whole_);

@@ -68,7 +68,7 @@ std::optional<DevelopCommand> first_development(Workroom& workroom, const std::s
 }  // namespace
 
 std::optional<DevelopCommand> choose_development(Workroom& workroom, const std::string& garment) {
-  if (const auto command = first_development(workroom, garment)) return command;
+  if (auto command = first_development(workroom, garment)) return command;
   if (workroom.outcome().exit_code() != 0) return std::nullopt;
   const std::vector<Garment>& garments = workroom.program().garments();
   const std::vector<BodySpec>& bodies = workroom.program().bodies();

@@ -21,8 +21,9 @@ std::shared_ptr<const MadeGarment> Workroom::make(const std::vector<int>& outsid
   if (const auto found = made_.find(outside_in); found != made_.end()) return found->second;
   auto made = std::make_shared<MadeGarment>();
   std::vector<Garment> inside_out;
-  for (auto number = outside_in.rbegin(); number != outside_in.rend(); ++number) {
-    inside_out.push_back(program_->garments()[static_cast<std::size_t>(*number)]);
+  const std::vector<int> numbers(outside_in.rbegin(), outside_in.rend());
+  for (const int number : numbers) {
+    inside_out.push_back(program_->garments()[static_cast<std::size_t>(number)]);
     if (!options_.fabric) continue;
     std::optional<FabricSheet> fabric = fabric_called(*options_.fabric, "--fabric ");
     if (!fabric) return nullptr;

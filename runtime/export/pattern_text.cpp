@@ -63,7 +63,7 @@ class PatternWriter {
 
   std::string write_fabric(const std::string& source) {
     const FabricSheet& sheet = redrawn_.draft.fabric;
-    const std::string name = (sheet.name.empty() ? "cloth" : sheet.name) + "_of_" + redrawn_.draft.name;
+    std::string name = (sheet.name.empty() ? "cloth" : sheet.name) + "_of_" + redrawn_.draft.name;
     put("// Developed by {}: each edge lies within {} mm of the solved outline.\n", source,
         plain(1000 * std::max(redrawn_.error, 1e-5), 2));
     for (const std::string& note : notes_) put("// {}\n", note);

@@ -78,13 +78,13 @@ class Panel {
     std::string out;
     const double x_step = tick_step(across_.length()), y_step = tick_step(up_.length());
     for (double v = x_step * std::ceil(across_.low / x_step - 1e-9); v <= across_.high + 1e-9 * x_step; v += x_step) {
-      out += fmt::format("<path class=\"grid\" d=\"M{:.1f},{:.1f}V{:.1f}\"/>", at_x(v), y_ + margin_top,
+      out += fmt::format(R"(<path class="grid" d="M{:.1f},{:.1f}V{:.1f}"/>)", at_x(v), y_ + margin_top,
                          y_ + margin_top + height());
       out += fmt::format("<text class=\"tick\" text-anchor=\"middle\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n", at_x(v),
                          y_ + margin_top + height() + 14, number(v, x_step));
     }
     for (double v = y_step * std::ceil(up_.low / y_step - 1e-9); v <= up_.high + 1e-9 * y_step; v += y_step) {
-      out += fmt::format("<path class=\"grid\" d=\"M{:.1f},{:.1f}H{:.1f}\"/>", x_ + margin_left, at_y(v),
+      out += fmt::format(R"(<path class="grid" d="M{:.1f},{:.1f}H{:.1f}"/>)", x_ + margin_left, at_y(v),
                          x_ + margin_left + width());
       out += fmt::format("<text class=\"tick\" text-anchor=\"end\" x=\"{:.1f}\" y=\"{:.1f}\">{}</text>\n",
                          x_ + margin_left - 5, at_y(v) + 3.5, number(v, y_step));
@@ -191,9 +191,8 @@ std::string plot_svg(const std::vector<PlotPanel>& panels) {
       "<rect width=\"100%\" height=\"100%\" fill=\"#fff\"/>\n",
       width, height);
   for (std::size_t i = 0; i < panels.size(); ++i) {
-    out += Panel(panels[i], panel_width * static_cast<double>(i % columns),
-                 panel_height * static_cast<double>(i / columns))
-               .drawn();
+    const std::size_t column = i % columns, row = i / columns;
+    out += Panel(panels[i], panel_width * static_cast<double>(column), panel_height * static_cast<double>(row)).drawn();
   }
   return out + "</svg>\n";
 }

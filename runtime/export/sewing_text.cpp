@@ -188,14 +188,14 @@ class SewingPlan {
     }
     for (const std::string& line : fullness(first, a, b)) lines.push_back(line);
     if (!first.notches.empty()) lines.push_back("match the notches" + places(first, first.notches));
-    if (first.closure == Seam::Closure::Zipped) lines.push_back("set a zip in place of the seam");
+    if (first.closure == Seam::Closure::Zipped) lines.emplace_back("set a zip in place of the seam");
     if (first.closure == Seam::Closure::Buttoned)
-      lines.push_back("finish both edges; they are buttoned over each other");
+      lines.emplace_back("finish both edges; they are buttoned over each other");
     if (first.closure == Seam::Closure::Sewn && !first.open && !on_first && !on_second) {
-      lines.push_back(first.fullness == Seam::Fullness::Gather ? "press the allowances away from the gathers"
-                                                               : "press the allowances open");
+      lines.emplace_back(first.fullness == Seam::Fullness::Gather ? "press the allowances away from the gathers"
+                                                                  : "press the allowances open");
     }
-    if (first.open) lines.push_back("leave it open: that is how it is worn");
+    if (first.open) lines.emplace_back("leave it open: that is how it is worn");
     return lines;
   }
 
