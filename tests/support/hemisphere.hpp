@@ -51,7 +51,7 @@ inline FlatteningInput hemisphere_with_darts(double radius, int darts, int rings
   }
   for (std::size_t gore = 0; gore < points.size(); ++gore) {
     const auto &left = points[gore], &right = points[(gore + 1) % points.size()];
-    for (std::size_t ring = static_cast<std::size_t>(tip); ring < static_cast<std::size_t>(rings); ++ring) {
+    for (auto ring = static_cast<std::size_t>(tip); ring < static_cast<std::size_t>(rings); ++ring) {
       LengthMatch match{{left[ring].back(), left[ring + 1].back()}, {right[ring].front(), right[ring + 1].front()}};
       match.length = radius * pi / 2 / rings;
       match.seam = static_cast<int>(gore);

@@ -58,7 +58,7 @@ void expect_sound(const Flattened& flat) {
 }
 
 Flattened solve(const FlatteningInput& input, const FabricLaw& law) {
-  const Flattened flat = flatten(input, law, {}, {});
+  Flattened flat = flatten(input, law, {}, {});
   expect_sound(flat);
   return flat;
 }

@@ -65,7 +65,7 @@ TEST(Layers, LieOnEachOtherAtTheirThickness) {
   EXPECT_EQ(drape.crossing_pairs, 0);
   // The table carries both, the one through the other.
   EXPECT_LT(drape.contact.weight_error, 1e-4);
-  for (std::size_t v = static_cast<std::size_t>(two.lower); v < drape.positions.size(); ++v) {
+  for (auto v = static_cast<std::size_t>(two.lower); v < drape.positions.size(); ++v) {
     EXPECT_GT(drape.positions[v].z, 0.0003 + 0.8 * 0.0006);
     EXPECT_LT(drape.positions[v].z, 0.0003 + 1.01 * 0.0006);
   }
