@@ -10,7 +10,7 @@
 namespace toile {
 namespace {
 
-constexpr int kRounds = 16;
+constexpr int most_sewing_rounds = 16;
 
 /// Triangles at each S-vertex.
 std::vector<int> star_sizes(const SMesh& s) {
@@ -94,7 +94,7 @@ void mend(const SewnMesh& mesh, const std::vector<Breach>& breaches, GarmentMesh
 SewnMesh sew(const Garment& garment, const PMeshOptions& options) {
   GarmentMesher mesher(garment, options);
   SewnMesh mesh;
-  for (int round = 0; round < kRounds; ++round) {
+  for (int round = 0; round < most_sewing_rounds; ++round) {
     mesh.p = mesher.mesh();
     mesh.s = glue(garment, mesh.p);
     const std::vector<Breach> breaches = find_breaches(mesh.p, mesh.s);

@@ -1,6 +1,5 @@
 #include "runtime/develop/flattening.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <cmath>
 
 namespace toile {
@@ -118,8 +117,13 @@ std::optional<Matrix4> without_turn(const Matrix4& symmetric) {
 Matrix4 definite_part(const Matrix4& symmetric) {
   if (is_definite(symmetric)) return symmetric;
   if (const auto found = without_turn(symmetric)) return *found;
-  const Eigen::SelfAdjointEigenSolver<Matrix4> solver(symmetric);
-  return solver.eigenvectors() * solver.eigenvalues().cwiseMax(0).asDiagonal() * solver.eigenvectors().transpose();
+  const Spectrum whole = spectrum(symmetric);
+  Matrix4 part = Matrix4::Zero();
+  for (int k = 0; k < entries; ++k) {
+    const Vector4 v = whole.vectors.col(k);
+    if (whole.values[k] > 0) part += whole.values[k] * v * v.transpose();
+  }
+  return part;
 }
 
 }  // namespace

@@ -6,7 +6,7 @@
 namespace toile {
 namespace {
 
-constexpr double tiny = 1e-9;  // shortest |f| and smallest cosine that derivatives are taken at
+constexpr double least_length = 1e-9;  // shortest |f| and smallest cosine that derivatives are taken at
 
 /// The two threads of a triangle and the frame their shear turns in.
 struct Threads {
@@ -21,13 +21,13 @@ Threads threads(const MembraneShape& shape, const Corners& x) {
   const Vector3 fu = shape.du[0] * x[0] + shape.du[1] * x[1] + shape.du[2] * x[2];
   const Vector3 fv = shape.dv[0] * x[0] + shape.dv[1] * x[1] + shape.dv[2] * x[2];
   Threads f;
-  f.warp_length = std::max(fu.norm(), tiny);
-  f.weft_length = std::max(fv.norm(), tiny);
+  f.warp_length = std::max(fu.norm(), least_length);
+  f.weft_length = std::max(fv.norm(), least_length);
   f.warp = fu / f.warp_length;
   f.weft = fv / f.weft_length;
   f.sine = std::clamp(f.warp.dot(f.weft), -1.0, 1.0);
   f.normal = f.warp.cross(f.weft);
-  f.cosine = std::max(f.normal.norm(), tiny);
+  f.cosine = std::max(f.normal.norm(), least_length);
   f.normal /= f.cosine;
   f.warp_turn = (f.weft - f.sine * f.warp) / f.cosine;
   f.weft_turn = (f.warp - f.sine * f.weft) / f.cosine;

@@ -21,6 +21,15 @@ inline Vec3 to_vec3(const Vector3& v) {
   return {v.x(), v.y(), v.z()};
 }
 
+/// A symmetric matrix's eigenvalues, ascending, and beside each its unit eigenvector as a column.
+struct Spectrum {
+  Vector values;
+  Eigen::MatrixXd vectors;
+};
+
+/// For matrices of any size. It lives in one place because Eigen's solver takes the compiler five seconds a size.
+Spectrum spectrum(const Eigen::MatrixXd& symmetric);
+
 /// The nearest symmetric matrix without negative eigenvalues.
 Matrix3 positive_part(const Matrix3& symmetric);
 

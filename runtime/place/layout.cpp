@@ -1,6 +1,5 @@
 #include "runtime/place/layout.hpp"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -8,13 +7,14 @@
 #include <numbers>
 #include <optional>
 
+#include "runtime/mesh/vector.hpp"
 #include "runtime/place/relax.hpp"
 
 namespace toile {
 namespace {
 
 constexpr int most_landmarks = 32;
-constexpr int relaxing_passes = 30;
+constexpr int laying_passes = 30;
 using Point4 = Eigen::Vector4d;
 
 /// Squared distances from landmarks to all members, and which members the landmarks are.
@@ -55,14 +55,14 @@ Embedding embed(const Separations& separations) {
   gram.colwise() += 0.5 * mean;
   gram.rowwise() += 0.5 * mean.transpose();
   gram.array() -= 0.5 * mean.mean();
-  const Eigen::SelfAdjointEigenSolver<Eigen::MatrixXd> solver(gram);
+  const Spectrum whole = spectrum(gram);
 
   Embedding result{{}, Point4::Zero()};
   Eigen::MatrixXd axes = Eigen::MatrixXd::Zero(n, 4);
   for (int k = 0; k < std::min(4, n); ++k) {
-    const double value = solver.eigenvalues()(n - 1 - k);
+    const double value = whole.values(n - 1 - k);
     if (!(value > 1e-12)) break;
-    Eigen::VectorXd vector = solver.eigenvectors().col(n - 1 - k);
+    Eigen::VectorXd vector = whole.vectors.col(n - 1 - k);
     Eigen::Index largest = 0;
     vector.cwiseAbs().maxCoeff(&largest);
     if (vector(largest) < 0) vector = -vector;
@@ -278,7 +278,7 @@ void lay_out(const RestMesh& rest, const std::vector<int>& members, std::vector<
   }
   centre(members, positions);
   fit_size(rest, inside, positions);
-  relax(rest, inside, relaxing_passes, nullptr, 0, positions);
+  relax(rest, inside, laying_passes, nullptr, 0, positions);
   centre(members, positions);
   turn_right_side_out(rest, members, inside, positions);
 }

@@ -3,7 +3,6 @@
 
 #include <gtest/gtest.h>
 
-#include <Eigen/Eigenvalues>
 #include <random>
 
 #include "runtime/develop/length_match.hpp"
@@ -86,8 +85,8 @@ TEST_P(FlatteningOf, HasADefinitePartThatIsTheWholeWhereThatIsDefinite) {
   for (int round = 0; round < 40; ++round) {
     const Case c = random_case(random, GetParam());
     const Matrix6 part = flattening_hessian(law, c.target, c.uv, Curvature::PositiveDefinite);
-    const Eigen::SelfAdjointEigenSolver<Matrix6> solver(part);
-    EXPECT_GT(solver.eigenvalues()[0], -1e-9 * solver.eigenvalues()[5]);
+    const Vector values = spectrum(part).values;
+    EXPECT_GT(values[0], -1e-9 * values[5]);
     const Matrix6 whole = flattening_hessian(law, c.target, c.uv, Curvature::Full);
     if (GetParam() == 0) {
       EXPECT_LT((whole - part).norm(), 1e-9 * whole.norm());

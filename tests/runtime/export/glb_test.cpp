@@ -78,9 +78,9 @@ TEST(Glb, ExtrasNameThePiecesOfTheTriangles) {
   const DrapedTube tube = draped_tube();
   const nlohmann::json pieces = json_of(glb(tube.view()))["meshes"][0]["extras"]["pieces"];
   ASSERT_EQ(pieces.size(), 2U);
-  EXPECT_EQ(pieces[1]["name"], "back");
-  EXPECT_EQ(pieces[1]["first_triangle"], tube.mesh.p.triangles.size() / 2);
-  EXPECT_EQ(pieces[1]["triangles"], tube.mesh.p.triangles.size() / 2);
+  EXPECT_EQ(pieces[1]["name"].get<std::string>(), "back");
+  EXPECT_EQ(pieces[1]["first_triangle"].get<std::size_t>(), tube.mesh.p.triangles.size() / 2);
+  EXPECT_EQ(pieces[1]["triangles"].get<std::size_t>(), tube.mesh.p.triangles.size() / 2);
 }
 
 // Needs node and the package gltf-validator, whose node_modules folder TOILE_GLTF_VALIDATOR names.

@@ -18,7 +18,7 @@ using Json = nlohmann::json;
 TEST(PatternJson, HoldsPiecesSeamsAndWornLines) {
   const Garment skirt = make(flared_skirt()).garment;
   const Json json = Json::parse(pattern_json(skirt));
-  EXPECT_EQ(json["garment"], skirt.name);
+  EXPECT_EQ(json["garment"].get<std::string>(), skirt.name);
   ASSERT_EQ(json["pieces"].size(), 2u);
   const Json& front = json["pieces"][0];
   EXPECT_EQ(front["edges"].size(), skirt.pieces[0].edges.size());
@@ -28,11 +28,11 @@ TEST(PatternJson, HoldsPiecesSeamsAndWornLines) {
   ASSERT_EQ(json["seams"].size(), 6u);
   EXPECT_TRUE(json["seams"][0]["dart"]);
   const Json& side = json["seams"][4];
-  EXPECT_EQ(side["name"], "front.side to back.side.mirrored");
+  EXPECT_EQ(side["name"].get<std::string>(), "front.side to back.side.mirrored");
   EXPECT_NEAR(side["first"]["length_m"], std::hypot(0.14, 0.612), 1e-9);
   EXPECT_NEAR(side["second"]["length_m"], std::hypot(0.14, 0.612), 1e-9);
   EXPECT_FALSE(side["second"]["links"][0]["forward"]);
-  EXPECT_EQ(json["wears"][0]["line"], "waist");
+  EXPECT_EQ(json["wears"][0]["line"].get<std::string>(), "waist");
   EXPECT_EQ(json["wears"][0]["chain"]["links"].size(), 8u);
 }
 
@@ -45,8 +45,8 @@ TEST(PatternJson, KeepsCurvesExactAndAreasWithoutHoles) {
   const double pi = 3.14159265358979;
   EXPECT_NEAR(piece["area_m2"], pi * (0.04 - 0.01), 1e-9);
   const Json& arc = piece["edges"][0]["segments"][0];
-  EXPECT_EQ(arc["kind"], "arc");
-  EXPECT_EQ(arc["radius_m"], 0.2);
+  EXPECT_EQ(arc["kind"].get<std::string>(), "arc");
+  EXPECT_EQ(arc["radius_m"].get<double>(), 0.2);
   EXPECT_NEAR(arc["sweep_rad"], 2 * pi, 1e-9);
   EXPECT_NEAR(piece["holes"][0][0]["segments"][0]["sweep_rad"], -2 * pi, 1e-9);
 }

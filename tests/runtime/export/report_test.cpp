@@ -28,45 +28,91 @@ std::vector<std::string> keys(const OrderedJson& object, const std::string& pref
 
 TEST(Report, KeysAreThoseOfTheDocumentation) {
   const OrderedJson report = OrderedJson::parse(report_json("tube.toile", draped_tube().view()));
-  EXPECT_THAT(
-      keys(report),
-      testing::ElementsAre(
-          "schema", "script", "garment",  //
-          "mesh.triangles", "mesh.vertices", "mesh.edges", "mesh.boundary_loops", "mesh.components", "mesh.euler",
-          "mesh.orientable", "mesh.manifold", "mesh.area_m2", "mesh.edge_length_m.min", "mesh.edge_length_m.mean",
-          "mesh.edge_length_m.max",  //
-          "solve.converged", "solve.trouble", "solve.iterations", "solve.residual_N", "solve.residual_moment_Nm",
-          "solve.residual_relative", "solve.energy_J.stretch_warp", "solve.energy_J.stretch_weft",
-          "solve.energy_J.shear", "solve.energy_J.bend_warp", "solve.energy_J.bend_weft", "solve.energy_J.twist",
-          "solve.energy_J.gravity", "solve.energy_J.contact", "solve.energy_J.friction", "solve.energy_J.self_contact",
-          "solve.energy_J.total",  //
-          "contact.weight_N", "contact.support_N.body", "contact.support_N.friction", "contact.support_N.held",
-          "contact.support_N.total", "contact.weight_error", "contact.max_penetration_m", "contact.contact_area_m2",
-          "contact.pressure_Pa.mean", "contact.pressure_Pa.p95", "contact.pressure_Pa.max",  //
-          "self.intersecting_triangle_pairs",                                                //
-          "shape.folds", "shape.projected_area_m2",                                          //
-          "strain.warp.min", "strain.warp.mean", "strain.warp.p95", "strain.warp.max", "strain.weft.min",
-          "strain.weft.mean", "strain.weft.p95", "strain.weft.max", "strain.shear.min", "strain.shear.mean",
-          "strain.shear.p95", "strain.shear.max",  //
-          "stress_N_per_m.warp.min", "stress_N_per_m.warp.mean", "stress_N_per_m.warp.p95", "stress_N_per_m.warp.max",
-          "stress_N_per_m.weft.min", "stress_N_per_m.weft.mean", "stress_N_per_m.weft.p95", "stress_N_per_m.weft.max",
-          "stress_N_per_m.shear.min", "stress_N_per_m.shear.mean", "stress_N_per_m.shear.p95",
-          "stress_N_per_m.shear.max"));
+  EXPECT_EQ(keys(report), (std::vector<std::string>{"schema",
+                                                    "script",
+                                                    "garment",  //
+                                                    "mesh.triangles",
+                                                    "mesh.vertices",
+                                                    "mesh.edges",
+                                                    "mesh.boundary_loops",
+                                                    "mesh.components",
+                                                    "mesh.euler",
+                                                    "mesh.orientable",
+                                                    "mesh.manifold",
+                                                    "mesh.area_m2",
+                                                    "mesh.edge_length_m.min",
+                                                    "mesh.edge_length_m.mean",
+                                                    "mesh.edge_length_m.max",  //
+                                                    "solve.converged",
+                                                    "solve.trouble",
+                                                    "solve.iterations",
+                                                    "solve.residual_N",
+                                                    "solve.residual_moment_Nm",
+                                                    "solve.residual_relative",
+                                                    "solve.energy_J.stretch_warp",
+                                                    "solve.energy_J.stretch_weft",
+                                                    "solve.energy_J.shear",
+                                                    "solve.energy_J.bend_warp",
+                                                    "solve.energy_J.bend_weft",
+                                                    "solve.energy_J.twist",
+                                                    "solve.energy_J.gravity",
+                                                    "solve.energy_J.contact",
+                                                    "solve.energy_J.friction",
+                                                    "solve.energy_J.self_contact",
+                                                    "solve.energy_J.total",  //
+                                                    "contact.weight_N",
+                                                    "contact.support_N.body",
+                                                    "contact.support_N.friction",
+                                                    "contact.support_N.held",
+                                                    "contact.support_N.total",
+                                                    "contact.weight_error",
+                                                    "contact.max_penetration_m",
+                                                    "contact.contact_area_m2",
+                                                    "contact.pressure_Pa.mean",
+                                                    "contact.pressure_Pa.p95",
+                                                    "contact.pressure_Pa.max",           //
+                                                    "self.intersecting_triangle_pairs",  //
+                                                    "shape.folds",
+                                                    "shape.projected_area_m2",  //
+                                                    "strain.warp.min",
+                                                    "strain.warp.mean",
+                                                    "strain.warp.p95",
+                                                    "strain.warp.max",
+                                                    "strain.weft.min",
+                                                    "strain.weft.mean",
+                                                    "strain.weft.p95",
+                                                    "strain.weft.max",
+                                                    "strain.shear.min",
+                                                    "strain.shear.mean",
+                                                    "strain.shear.p95",
+                                                    "strain.shear.max",  //
+                                                    "stress_N_per_m.warp.min",
+                                                    "stress_N_per_m.warp.mean",
+                                                    "stress_N_per_m.warp.p95",
+                                                    "stress_N_per_m.warp.max",
+                                                    "stress_N_per_m.weft.min",
+                                                    "stress_N_per_m.weft.mean",
+                                                    "stress_N_per_m.weft.p95",
+                                                    "stress_N_per_m.weft.max",
+                                                    "stress_N_per_m.shear.min",
+                                                    "stress_N_per_m.shear.mean",
+                                                    "stress_N_per_m.shear.p95",
+                                                    "stress_N_per_m.shear.max"}));
 }
 
 TEST(Report, TellsWhatTheDrapeFound) {
   const OrderedJson report = OrderedJson::parse(report_json("tube.toile", draped_tube(5, 0.2).view()));
-  EXPECT_EQ(report["schema"], 1);
-  EXPECT_EQ(report["script"], "tube.toile");
-  EXPECT_EQ(report["garment"], "tube");
-  EXPECT_EQ(report["solve"]["converged"], true);
-  EXPECT_EQ(report["solve"]["iterations"], 41);
-  EXPECT_EQ(report["solve"]["energy_J"]["total"], -0.25);
-  EXPECT_EQ(report["contact"]["support_N"]["total"], 0.7);
-  EXPECT_EQ(report["contact"]["max_penetration_m"], 3e-5);
-  EXPECT_EQ(report["contact"]["pressure_Pa"]["max"], 30);
-  EXPECT_EQ(report["self"]["intersecting_triangle_pairs"], 0);
-  EXPECT_EQ(report["shape"]["folds"], 5);
+  EXPECT_EQ(report["schema"].get<int>(), 1);
+  EXPECT_EQ(report["script"].get<std::string>(), "tube.toile");
+  EXPECT_EQ(report["garment"].get<std::string>(), "tube");
+  EXPECT_EQ(report["solve"]["converged"].get<bool>(), true);
+  EXPECT_EQ(report["solve"]["iterations"].get<int>(), 41);
+  EXPECT_EQ(report["solve"]["energy_J"]["total"].get<double>(), -0.25);
+  EXPECT_EQ(report["contact"]["support_N"]["total"].get<double>(), 0.7);
+  EXPECT_EQ(report["contact"]["max_penetration_m"].get<double>(), 3e-5);
+  EXPECT_EQ(report["contact"]["pressure_Pa"]["max"].get<int>(), 30);
+  EXPECT_EQ(report["self"]["intersecting_triangle_pairs"].get<int>(), 0);
+  EXPECT_EQ(report["shape"]["folds"].get<int>(), 5);
 }
 
 TEST(Report, SameDrapeSameBytes) {
@@ -101,8 +147,8 @@ TEST(Profile, HasItsKeys) {
   EXPECT_THAT(keys(profile),
               testing::ElementsAre("schema", "seconds.compile", "seconds.mesh", "seconds.place", "seconds.solve",
                                    "seconds.total", "cpu_seconds", "peak_memory_bytes", "factorisations"));
-  EXPECT_EQ(profile["cpu_seconds"], 17.5);
-  EXPECT_EQ(profile["peak_memory_bytes"], 123456);
+  EXPECT_EQ(profile["cpu_seconds"].get<double>(), 17.5);
+  EXPECT_EQ(profile["peak_memory_bytes"].get<int>(), 123456);
 }
 
 }  // namespace
