@@ -92,7 +92,14 @@ class Reference {
     paragraph(doc(item, source_));
     for (const View inner : items(item)) {
       if (const auto param = as<Param>(inner)) settable(*param);
+      if (as<Let>(inner) && !doc(inner, source_).empty()) {
+        text_ += "\n- `" + called(inner) + "`: " + doc(inner, source_) + "\n";
+      }
     }
+    if (item.kind() == Kind::Piece) {
+      if (const std::string drawn = edges(item); !drawn.empty()) text_ += "\nEdges: " + drawn + ".\n";
+    }
+    if (item.kind() == Kind::Garment) list_pieces(item);
     if (const auto sizes = as<Sizes>(item)) list_sizes(*sizes);
     if (const auto fabric = as<Fabric>(item)) name_source(*fabric);
   }
@@ -111,6 +118,46 @@ class Reference {
     const std::string about = doc(param, source_);
     text_ += "\n- `" + in_one_line(param, source_) + "`" + (about.empty() ? "" : ": " + about) + "\n";
   }
+
+  /// What others sew to: the pieces, and of each the names along its outline.
+  void list_pieces(View garment) {
+    bool first = true;
+    for (const View item : items(garment)) {
+      const auto piece = as<Piece>(item);
+      if (!piece || !piece->name()) continue;
+      if (first) text_ += "\n";
+      first = false;
+      text_ += "- " + quoted(*piece->name());
+      if (const auto taken = piece->taken())
+        text_ += " = `" + in_one_line(*taken, source_) + "`";
+      else if (const auto base = piece->base())
+        text_ += " = " + quoted(*base) + " varied";
+      if (const std::string drawn = edges(item); !drawn.empty()) text_ += ": " + drawn;
+      text_ += "\n";
+    }
+  }
+
+  /// The edges of the outline in their order, then those of its holes and inner lines.
+  std::string edges(View piece) const {
+    std::string names, fold;
+    for (const View item : items(piece)) {
+      if (const auto folded = as<Fold>(item); folded && folded->edge()) fold = source_.slice(folded->edge()->span());
+    }
+    for (const View item : items(piece)) {
+      const auto inner = as<Inner>(item);
+      if (!inner && !as<Outline>(item)) continue;
+      const std::string path = inner && inner->name() ? std::string(source_.slice(inner->name()->span())) + "." : "";
+      for (const View walked : items(item)) {
+        const auto edge = as<Edge>(walked);
+        if (!edge || !edge->name()) continue;
+        const std::string name(source_.slice(edge->name()->span()));
+        names += (names.empty() ? "`" : ", `") + path + name + "`" + (!inner && name == fold ? " (fold)" : "");
+      }
+    }
+    return names;
+  }
+
+  std::string quoted(const Token& name) const { return "`" + std::string(source_.slice(name.span())) + "`"; }
 
   void list_sizes(const Sizes& sizes) {
     std::string names;

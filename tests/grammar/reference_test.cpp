@@ -39,6 +39,20 @@ TEST(Reference, TellsParamsSizesAndSources) {
   EXPECT_THAT(text, HasSubstr("### `felt`\n\nSource: my own.\n"));
 }
 
+TEST(Reference, NamesPiecesAndTheirEdges) {
+  const std::string text = page(
+      "garment skirt {\n  /// What the band is sewn to.\n  let top = 70cm\n  piece front {\n    outline from (0cm, "
+      "0cm) {\n"
+      "      waist = line to (9cm, 0cm)\n      centre = line to start\n    }\n"
+      "    fold centre\n    line place from (1cm, 1cm) {\n      left = line to (1cm, 2cm)\n    }\n  }\n"
+      "  piece back = front with { label \"B\" }\n  piece band = parts.band(70cm)\n}\n"
+      "piece cuff(around) {\n  outline from (0cm, 0cm) {\n    head = line to (around, 0cm)\n  }\n}\n");
+  EXPECT_THAT(text, HasSubstr("- `top = 70cm`: What the band is sewn to.\n"));
+  EXPECT_THAT(text, HasSubstr("- `front`: `waist`, `centre` (fold), `place.left`\n- `back` = `front` varied\n"
+                              "- `band` = `parts.band(70cm)`\n"));
+  EXPECT_THAT(text, HasSubstr("### `cuff(around)`\n\nEdges: `head`.\n"));
+}
+
 TEST(Reference, ACommentOfItsOwnIsTheModules) {
   EXPECT_THAT(page("/// About it.\n\n/// Of a.\nlet a = 1\n"), HasSubstr("# parts\n\nAbout it.\n\n## Values"));
   EXPECT_THAT(page("/// Of a.\nlet a = 1\n"), HasSubstr("# parts\n\n## Values"));
