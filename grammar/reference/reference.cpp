@@ -151,7 +151,9 @@ class Reference {
         const auto edge = as<Edge>(walked);
         if (!edge || !edge->name()) continue;
         const std::string name(source_.slice(edge->name()->span()));
-        names += (names.empty() ? "`" : ", `") + path + name + "`" + (!inner && name == fold ? " (fold)" : "");
+        if (!names.empty()) names += ", ";
+        names.append("`").append(path).append(name).append("`");
+        if (!inner && name == fold) names += " (fold)";
       }
     }
     return names;

@@ -9,7 +9,11 @@
 namespace toile::test {
 namespace {
 
+#if defined(__SANITIZE_ADDRESS__) || defined(__SANITIZE_THREAD__)
+constexpr int most_seconds = 900;  // under a sanitizer all takes ten times as long
+#else
 constexpr int most_seconds = 60;
+#endif
 
 class RandomGarments : public testing::TestWithParam<unsigned> {};
 
