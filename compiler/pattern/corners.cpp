@@ -30,7 +30,7 @@ SewnCorners::SewnCorners(const std::vector<Piece>& pieces) : pieces_(pieces) {
 }
 
 void SewnCorners::unite_lines_with_outlines() {
-  constexpr double kSame = 2e-6;  // [m]
+  constexpr double kSameCorner = 2e-6;  // [m]
   for (std::size_t p = 0; p < pieces_.size(); ++p) {
     const Piece& piece = pieces_[p];
     if (piece.lines.empty()) continue;
@@ -39,7 +39,7 @@ void SewnCorners::unite_lines_with_outlines() {
     for (const auto& line : piece.lines) places.push_back(line.back().curve.end());
     for (std::size_t later = 1; later < places.size(); ++later) {
       for (std::size_t earlier = 0; earlier < later; ++earlier) {
-        if (distance(places[earlier], places[later]) > kSame) continue;
+        if (distance(places[earlier], places[later]) > kSameCorner) continue;
         same_corner_[first_corner_[p] + later] = first_corner_[p] + static_cast<int>(earlier);
         break;
       }

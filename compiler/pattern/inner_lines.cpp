@@ -125,7 +125,7 @@ class LineCheck {
     const double place = rim.against_drawing ? rim.drawn.to - s : rim.drawn.from + s;
     return std::any_of(drawn_.turns.begin(), drawn_.turns.end(), [&](const CutTurn& turn) {
       const double depth = turn.inner_fold - turn.fold;
-      const auto [low, high] = std::minmax(turn.fold - depth, turn.fold + 2 * depth);
+      const auto [low, high] = std::minmax({turn.fold - depth, turn.fold + 2 * depth});
       return turn.edge == rim.name && place > low - kTouches && place < high + kTouches;
     });
   }

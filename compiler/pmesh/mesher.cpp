@@ -97,9 +97,9 @@ void GarmentMesher::lay_out_lines(PieceState& piece, PieceId id, PlaneDomain& do
     return outline + static_cast<int>(domain.line_nodes.size()) - 1;
   };
   const auto corner = [&](Vec2 p) {
-    constexpr double kSame = 2e-6;  // [m]
+    constexpr double kSameCorner = 2e-6;  // [m]
     for (std::size_t i = 0; i < corners.size(); ++i) {
-      if (distance(corners[i], p) < kSame) return corner_points[i];
+      if (distance(corners[i], p) < kSameCorner) return corner_points[i];
     }
     corners.push_back(p);
     corner_points.push_back(add(p));

@@ -8,7 +8,7 @@
 namespace toile {
 namespace {
 
-constexpr double reach = 0.03;          // [m] how far away the body is looked for
+constexpr double body_reach = 0.03;     // [m] how far away the body is looked for
 constexpr double elastic_slip = 1e-4;   // [m] how far a sticking point gives before it slips
 constexpr double least_approach = 0.8;  // of its clearance a point may move before it is measured again
 
@@ -122,9 +122,9 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const Vector& q) con
       touches_[i] = {};
       Leeway& leeway = leeway_[i];
       if ((at - leeway.at).norm() < leeway.free) continue;
-      const std::optional<Clearance> clear = body_.clearance(to_vec3(at), reach);
+      const std::optional<Clearance> clear = body_.clearance(to_vec3(at), body_reach);
       const double gap = points_[i].gap;
-      leeway = {at, least_approach * ((clear ? clear->distance : reach) - gap)};
+      leeway = {at, least_approach * ((clear ? clear->distance : body_reach) - gap)};
       if (!clear || clear->distance >= gap) continue;
       Matrix3 curvature;
       for (int k = 0; k < 3; ++k) curvature.row(k) = to_eigen(clear->hessian[static_cast<std::size_t>(k)]);

@@ -14,9 +14,9 @@
 namespace toile {
 namespace {
 
-constexpr double shortest_line = 1e-5;  // [m]
-constexpr double tolerance = 1e-4;      // [m] of a curve from the line that it stands for
-constexpr int stretches = 96;           // of a shortest way
+constexpr double shortest_line = 1e-5;      // [m]
+constexpr double drawing_tolerance = 1e-4;  // [m] of a curve from the line that it stands for
+constexpr int stretches = 96;               // of a shortest way
 constexpr int most_pulls = 300;
 constexpr double still = 1e-8;         // [m] that no point moves by any more
 constexpr double finest = 0.002;       // [m] between points of a line in space
@@ -70,7 +70,7 @@ std::vector<Vec3> smooth_line(const std::vector<Vec3>& through) {
 Curve curve_through(std::vector<Vec2> places) {
   places.erase(std::unique(places.begin(), places.end(), [](Vec2 a, Vec2 b) { return distance(a, b) < 1e-6; }),
                places.end());
-  FittedCurve fitted = fit_curve(places, tolerance);
+  FittedCurve fitted = fit_curve(places, drawing_tolerance);
   fitted.points.front() = places.front();
   fitted.points.back() = places.back();
   if (fitted.straight()) return line(places.front(), places.back());
