@@ -35,7 +35,7 @@ if(TOILE_COVERAGE)
 endif()
 
 # toile_quick_to_build(NAME LEVEL): code that spends no time worth the optimiser's is built at -O1, in three fifths of
-# the time; tests and what only calls others, which spend theirs in what they call, at -O0, in half of it.
+# the time; tests, which spend theirs in what they call, at -O0, in half of it.
 function(toile_quick_to_build name level)
   target_compile_options(${name} PRIVATE $<$<CONFIG:Release>:${level}>)
 endfunction()
