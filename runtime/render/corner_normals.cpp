@@ -18,7 +18,7 @@ struct Blade {
 
 class Fans {
  public:
-  Fans(const std::vector<Vec3>& points, const std::vector<Corners<int>>& triangles, const EdgeTable& edges,
+  Fans(const std::vector<Vec3>& points, const std::vector<PerCorner<int>>& triangles, const EdgeTable& edges,
        double crease)
       : triangles_(triangles), edges_(edges), least_cosine_(std::cos(crease)) {
     for (const auto& t : triangles) {
@@ -27,9 +27,9 @@ class Fans {
     }
   }
 
-  std::vector<Corners<Vec3>> normals() const {
-    std::vector<Corners<Vec3>> result(triangles_.size());
-    std::vector<Corners<bool>> done(triangles_.size(), Corners<bool>{});
+  std::vector<PerCorner<Vec3>> normals() const {
+    std::vector<PerCorner<Vec3>> result(triangles_.size());
+    std::vector<PerCorner<bool>> done(triangles_.size(), PerCorner<bool>{});
     for (std::size_t t = 0; t < triangles_.size(); ++t) {
       for (std::size_t c = 0; c < 3; ++c) {
         if (done[t][c]) continue;
@@ -51,7 +51,7 @@ class Fans {
   }
 
   /// Both ways from the first corner over the edges at its vertex, as far as the surface goes on smoothly.
-  std::vector<Blade> fan(Blade first, std::vector<Corners<bool>>& done) const {
+  std::vector<Blade> fan(Blade first, std::vector<PerCorner<bool>>& done) const {
     std::vector<Blade> blades{first};
     done[first.triangle][first.corner] = true;
     for (std::size_t i = 0; i < blades.size(); ++i) {
@@ -85,7 +85,7 @@ class Fans {
     return dot(a, b) >= least_cosine_ * norm(a) * norm(b) ? across : at;
   }
 
-  const std::vector<Corners<int>>& triangles_;
+  const std::vector<PerCorner<int>>& triangles_;
   const EdgeTable& edges_;
   double least_cosine_;
   std::vector<Vec3> areas_;
@@ -93,8 +93,9 @@ class Fans {
 
 }  // namespace
 
-std::vector<Corners<Vec3>> corner_normals(const std::vector<Vec3>& points, const std::vector<Corners<int>>& triangles,
-                                          const EdgeTable& edges, double crease) {
+std::vector<PerCorner<Vec3>> corner_normals(const std::vector<Vec3>& points,
+                                            const std::vector<PerCorner<int>>& triangles, const EdgeTable& edges,
+                                            double crease) {
   return Fans(points, triangles, edges, crease).normals();
 }
 

@@ -77,7 +77,7 @@ Vec3 middle(const Surface& surface, const EdgeTable& edges, const FreeEdges& fre
 constexpr int kParts[4][3] = {{0, 5, 4}, {5, 1, 3}, {4, 3, 2}, {3, 4, 5}};
 
 template <typename T>
-void divide_linearly(const std::vector<Corners<T>>& from, std::vector<Corners<T>>& to) {
+void divide_linearly(const std::vector<PerCorner<T>>& from, std::vector<PerCorner<T>>& to) {
   to.reserve(4 * from.size());
   for (const auto& c : from) {
     const std::array<T, 6> all{c[0], c[1], c[2], 0.5 * (c[1] + c[2]), 0.5 * (c[2] + c[0]), 0.5 * (c[0] + c[1])};

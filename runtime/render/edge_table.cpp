@@ -5,7 +5,7 @@
 
 namespace toile {
 
-EdgeTable::EdgeTable(const std::vector<Corners<int>>& triangles) : edge_of_corner(triangles.size()) {
+EdgeTable::EdgeTable(const std::vector<PerCorner<int>>& triangles) : edge_of_corner(triangles.size()) {
   struct OneSide {
     int from, to;  // smaller first
     int triangle, corner;

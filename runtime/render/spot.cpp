@@ -10,7 +10,7 @@ namespace toile {
 namespace {
 
 template <typename T>
-T interpolated(const Corners<T>& corner, const RayHit& hit) {
+T interpolated(const PerCorner<T>& corner, const RayHit& hit) {
   return (1 - hit.b1 - hit.b2) * corner[0] + hit.b1 * corner[1] + hit.b2 * corner[2];
 }
 
@@ -20,8 +20,8 @@ Spot Stage::spot(const Ray& ray, const RayHit& hit, double pixel) const {
   const Actor& actor = actors_[index(hit.mesh)];
   const Surface& surface = actor.surface;
   const auto& triangle = surface.triangles[index(hit.triangle)];
-  const Corners<Vec3> corner{surface.points[index(triangle[0])], surface.points[index(triangle[1])],
-                             surface.points[index(triangle[2])]};
+  const PerCorner<Vec3> corner{surface.points[index(triangle[0])], surface.points[index(triangle[1])],
+                               surface.points[index(triangle[2])]};
   Spot spot;
   spot.actor = &actor;
   spot.position = interpolated(corner, hit);

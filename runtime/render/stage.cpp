@@ -44,8 +44,8 @@ bool fits(const DressedCloth& cloth) {
 }
 
 /// The distances of a triangle's corners to those of its sides that are sewn: linear over the triangle.
-Corners<Vec3> seam_distances(const Cloth& cloth, const ClothTriangle& triangle) {
-  Corners<Vec3> result{};
+PerCorner<Vec3> seam_distances(const Cloth& cloth, const ClothTriangle& triangle) {
+  PerCorner<Vec3> result{};
   const auto distance_of = [&](std::size_t corner, std::size_t side) {
     const std::size_t edge = index(triangle.edges[side]);
     if (edge >= cloth.edges.size() || cloth.edges[edge].seam < 0) return kNoSeam;

@@ -10,33 +10,34 @@
 namespace toile {
 
 template <typename T>
-using Corners = std::array<T, 3>;
+using PerCorner = std::array<T, 3>;
 
 struct Surface {
   std::vector<Vec3> points;
-  std::vector<Corners<int>> triangles;
-  std::vector<Corners<Vec3>> normals;  // unit; on the side from which the triangle is counter-clockwise
-  std::vector<Corners<Vec2>> uv;       // [m] place in warp and weft; empty for a body
-  std::vector<Corners<Vec3>> seam;     // [m] distance to the seams that are the triangle's sides; empty for a body
-  std::vector<Corners<double>> value;  // of the field shown; empty without one
+  std::vector<PerCorner<int>> triangles;
+  std::vector<PerCorner<Vec3>> normals;  // unit; on the side from which the triangle is counter-clockwise
+  std::vector<PerCorner<Vec2>> uv;       // [m] place in warp and weft; empty for a body
+  std::vector<PerCorner<Vec3>> seam;     // [m] distance to the seams that are the triangle's sides; empty for a body
+  std::vector<PerCorner<double>> value;  // of the field shown; empty without one
 };
 
 /// The edges of a triangle surface, each once, and which triangles meet there.
 struct EdgeTable {
   static constexpr int kNone = -1;
 
-  std::vector<Corners<int>> edge_of_corner;  // the edge opposite to the corner
-  std::vector<std::array<int, 2>> vertices;  // smaller first
-  std::vector<std::vector<int>> wings;       // per edge: 3 * triangle + corner, ascending
+  std::vector<PerCorner<int>> edge_of_corner;  // the edge opposite to the corner
+  std::vector<std::array<int, 2>> vertices;    // smaller first
+  std::vector<std::vector<int>> wings;         // per edge: 3 * triangle + corner, ascending
 
-  explicit EdgeTable(const std::vector<Corners<int>>& triangles);
+  explicit EdgeTable(const std::vector<PerCorner<int>>& triangles);
 };
 
 /// Area-weighted normals per corner, averaged over the fan of triangles about the corner's vertex. The fan ends at free
 /// edges, where three triangles or more meet and where the surface turns by more than `crease` [rad]; orientation is
 /// carried from triangle to triangle, so a Möbius strip is as smooth as any other.
-std::vector<Corners<Vec3>> corner_normals(const std::vector<Vec3>& points, const std::vector<Corners<int>>& triangles,
-                                          const EdgeTable& edges, double crease);
+std::vector<PerCorner<Vec3>> corner_normals(const std::vector<Vec3>& points,
+                                            const std::vector<PerCorner<int>>& triangles, const EdgeTable& edges,
+                                            double crease);
 
 /// Divides every triangle into four. New points lie on cubic arcs at right angles to the corner normals (after Vlachos
 /// et al., Curved PN Triangles, 2001), those of free edges on the cubic through four neighbours (Dyn, Levin & Gregory

@@ -19,7 +19,7 @@ namespace fs = std::filesystem;
 
 const fs::path beside = fs::path(TOILE_SOURCE_DIR) / "tests" / "runtime" / "import";
 
-struct Heard final : Listener {
+struct HeardImport final : Listener {
   std::vector<std::string> codes, notes, failures;
   void diagnosed(const Diagnostic& diagnostic, const Sources&) override { codes.push_back(diagnostic.code); }
   void printed(const std::string&) override {}
@@ -51,7 +51,7 @@ class Import : public testing::Test {
   }
 
   Scratch scratch{"import"};
-  Heard heard;
+  HeardImport heard;
 };
 
 TEST_F(Import, KeepsCurvesAndShowsRightSides) {

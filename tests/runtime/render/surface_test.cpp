@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kSmooth = std::numbers::pi;
 
-Surface surface(std::vector<Vec3> points, std::vector<Corners<int>> triangles, double crease) {
+Surface surface(std::vector<Vec3> points, std::vector<PerCorner<int>> triangles, double crease) {
   Surface result{std::move(points), std::move(triangles), {}, {}, {}, {}};
   result.normals = corner_normals(result.points, result.triangles, EdgeTable(result.triangles), crease);
   return result;
@@ -26,7 +26,7 @@ Surface ball(int rings) {
 /// A strip with one half twist; the last column is sewn to the first upside down.
 Surface moebius(int columns) {
   std::vector<Vec3> points;
-  std::vector<Corners<int>> triangles;
+  std::vector<PerCorner<int>> triangles;
   for (int i = 0; i < columns; ++i) {
     const double a = 2 * std::numbers::pi * i / columns;
     for (const double s : {-0.3, 0.3}) {
@@ -68,7 +68,7 @@ TEST(CornerNormals, AreSmoothOnAOneSidedStrip) {
 TEST(CornerNormals, StopAtACrease) {
   // A roof: two squares at right angles along the y axis.
   const std::vector<Vec3> points{{0, 0, 1}, {0, 1, 1}, {-1, 0, 0}, {-1, 1, 0}, {1, 0, 0}, {1, 1, 0}};
-  const std::vector<Corners<int>> triangles{{2, 0, 3}, {3, 0, 1}, {0, 4, 1}, {1, 4, 5}};
+  const std::vector<PerCorner<int>> triangles{{2, 0, 3}, {3, 0, 1}, {0, 4, 1}, {1, 4, 5}};
   const double half = std::sqrt(0.5);
   EXPECT_NEAR(surface(points, triangles, 1.0).normals[0][1].x, -half, 1e-12);
   // Two triangles of the left slope and one of the right.
@@ -90,7 +90,7 @@ TEST(Divided, ComesCloserToTheSmoothSurfaceWithoutMovingItsPoints) {
 TEST(Divided, RoundsAFreeEdgeAndKeepsItsCorners) {
   // A fan: a disc of twelve sectors.
   std::vector<Vec3> points{{0, 0, 0}};
-  std::vector<Corners<int>> triangles;
+  std::vector<PerCorner<int>> triangles;
   for (int i = 0; i < 12; ++i) {
     const double a = std::numbers::pi / 6 * i;
     points.push_back({std::cos(a), std::sin(a), 0});
