@@ -218,6 +218,8 @@ struct Fold : ViewOf<Kind::Fold> {
 struct Cut : ViewOf<Kind::Cut> {
   std::optional<Expr> count() const { return child<Expr>(*this); }
   bool mirrored() const { return has(*this, Kind::KwMirrored); }
+  std::optional<Expr> fabric() const { return after<Expr>(*this, Kind::KwIn); }
+  std::optional<Expr> plies() const { return after<Expr>(*this, Kind::KwPlies); }
 };
 
 /// direction() is KwDown KwUp KwLeft KwRight KwBias KwFree, or else angle() is there.

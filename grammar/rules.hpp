@@ -170,7 +170,8 @@ struct numbered_name : pegtl::seq<any_name, pegtl::opt<gap_before<pegtl::at<pegt
 struct edge_name : pegtl::seq<numbered_name, pegtl::star<sign<Kind::Dot>, numbered_name>> {};
 struct position : node<Kind::Position, expression, word<Kind::KwOf>, edge_name> {};
 struct fold : line<Kind::Fold, word<Kind::KwFold>, any_name> {};
-struct cut : line<Kind::Cut, word<Kind::KwCut>, expression, pegtl::opt<word<Kind::KwMirrored>>> {};
+struct cut : line<Kind::Cut, word<Kind::KwCut>, expression, pegtl::opt<word<Kind::KwMirrored>>,
+                  pegtl::opt<with_value<Kind::KwIn>>, pegtl::opt<with_value<Kind::KwPlies>>> {};
 struct four_ways : pegtl::sor<word<Kind::KwDown>, word<Kind::KwUp>, word<Kind::KwLeft>, word<Kind::KwRight>> {};
 struct grain_word : pegtl::sor<four_ways, word<Kind::KwBias>, word<Kind::KwFree>> {};
 struct grain : line<Kind::Grain, word<Kind::KwGrain>, pegtl::sor<pegtl::seq<grain_word, at_end<>>, expression>> {};

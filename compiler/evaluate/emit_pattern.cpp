@@ -64,8 +64,9 @@ void emit_marks(std::string& out, const Piece& piece) {
 }
 
 void emit_piece(std::string& out, const Piece& piece) {
-  out += fmt::format("  piece {} quantity {} warp ({}, {})\n", piece.name, piece.quantity,
-                     format_number(piece.warp.x, 9), format_number(piece.warp.y, 9));
+  out += fmt::format("  piece {} quantity {} warp ({}, {}){}\n", piece.name, piece.quantity,
+                     format_number(piece.warp.x, 9), format_number(piece.warp.y, 9),
+                     piece.has_own_cloth() ? " cloth " + piece.own_cloth() : "");
   emit_edges(out, piece.edges, 0, "    ");
   int first = static_cast<int>(piece.edges.size());
   for (std::size_t i = 0; i < piece.holes.size(); ++i) {

@@ -9,6 +9,7 @@
 
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/expression.hpp"
+#include "compiler/evaluate/fabric_instruments.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/want.hpp"
 #include "compiler/units/format.hpp"
@@ -54,6 +55,15 @@ const std::vector<RowKind>& row_kinds() {
       {"twist", "gf*cm^2/cm", &S::twist, 0, 1},
       {"stretch", "N/m", &S::stretch, 1e-1, 1e9},
       {"shear", "N/m", &S::shear, 1e-3, 1e8},
+      {"B45", "gf*cm^2/cm", &S::b45, 1e-9, 1},
+      {"E5", "%", &S::e5, 0, 5},
+      {"E20", "%", &S::e20, 1e-5, 5},
+      {"E100", "%", &S::e100, 1e-5, 5},
+      {"EB5", "%", &S::eb5, 1e-5, 5},
+      {"C", "mm", &S::c, 1e-4, 0.5},
+      {"C45", "mm", &S::c45, 1e-4, 0.5},
+      {"T2", "mm", &S::t2, 1e-6, 0.1},
+      {"T100", "mm", &S::t100, 1e-6, 0.1},
   };
   return rows;
 }
@@ -183,11 +193,13 @@ class FabricReader {
 
   void check_whole() {
     const bool no_weight = !sheet_.weight && !seen_.contains("W");
-    const bool no_bending = !sheet_.b && !seen_.contains("B");
+    const bool no_bending = !sheet_.b && !sheet_.c && !seen_.contains("B") && !seen_.contains("C");
     if (no_weight || no_bending) {
       sound_ = false;
       if (!module_.broken(written_.span())) report_missing(no_weight, no_bending);
     }
+    sound_ =
+        sound_ && of_one_instrument(session_.report, sheet_, seen_) && fit_together(session_.report, sheet_, seen_);
     if (!sound_) return;
     if (sheet_.lt && sheet_.wt && sheet_.emt) check_tensile();
     if (sheet_.g && sheet_.hg && sheet_.hg5) check_shear();

@@ -13,6 +13,7 @@
 #include "compiler/evaluate/repetition.hpp"
 #include "compiler/evaluate/sewing.hpp"
 #include "compiler/evaluate/solve.hpp"
+#include "compiler/evaluate/want.hpp"
 
 namespace toile {
 namespace {
@@ -160,14 +161,11 @@ class GarmentBuilder {
   }
 
   void read_cloth() {
-    if (const auto fabric_expr = garment_.written.fabric()) {
-      const Value value = evaluate(session_, *garment_.scope, fabric_expr);
+    if (const auto written = garment_.written.fabric()) {
+      const auto fabric = Wanted{session_, *garment_.scope}.fabric(*written);
       garment_.has_fabric = true;
-      if (const auto* fabric = value.as<FabricValue>()) {
-        garment_.draft.fabric = *fabric->sheet;
-      } else {
-        refuse(value, *fabric_expr, "a fabric");
-      }
+      garment_.sound = garment_.sound && fabric;
+      if (fabric) garment_.draft.fabric = *fabric;
     }
     if (const auto textile_expr = garment_.written.textile()) {
       const Value value = evaluate(session_, *garment_.scope, textile_expr);

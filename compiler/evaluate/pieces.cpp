@@ -21,6 +21,8 @@
 namespace toile {
 namespace {
 
+constexpr int most_plies = 20;
+
 /// Edges that the pen walks one after another: an outline, a hole or a line.
 struct Walk {
   const Scope* scope = nullptr;
@@ -222,11 +224,26 @@ class PieceDrafter {
     const auto count = wanted_.count(piece_.plan.cut->count(), "how often a piece is cut");
     if (!count) return fail();
     draft_.quantity = *count;
+    read_own_cloth(*piece_.plan.cut);
     if (!draft_.mirrored || *count % 2 == 0) return;
     fail();
     session_.report.add(Problem("E0209", "pieces cut in mirrored pairs are even in number")
                             .at(module_.at(*piece_.plan.cut))
                             .help(fmt::format("cut {} mirrored", *count + 1)));
+  }
+
+  /// `cut 2 in fabrics.silk plies 2`.
+  void read_own_cloth(const syntax::Cut& cut) {
+    if (piece_.plan.on && (cut.fabric() || cut.plies())) {
+      fail();
+      session_.report.add(Problem("E0209", "pieces drawn on a body are developed in the garment's own cloth")
+                              .at(module_.at(cut))
+                              .help("give this cloth to the garment: garment NAME in FABRIC"));
+      return;
+    }
+    if (cut.fabric()) draft_.fabric = wanted_.fabric(*cut.fabric());
+    if (cut.plies()) draft_.plies = wanted_.count(cut.plies(), "the number of plies", most_plies).value_or(0);
+    if ((cut.fabric() && !draft_.fabric) || draft_.plies == 0) fail();
   }
 
   /// `grain sideways`: reported.

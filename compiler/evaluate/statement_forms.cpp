@@ -23,7 +23,7 @@ constexpr std::array forms{
     Form{"buttonhole", "buttonhole at POINT { length 1.5cm }"},
     Form{"circle", "NAME = circle about POINT"},
     Form{"curve", "NAME = curve to POINT leaving ANGLE arriving ANGLE"},
-    Form{"cut", "cut 2 mirrored"},
+    Form{"cut", "cut 2 mirrored, then in FABRIC or plies 2"},
     Form{"dart", "dart NAME at PLACE of EDGE { width 3cm, depth 9cm }"},
     Form{"develop", "develop GARMENT as NAME until within 3mm"},
     Form{"drape", "drape GARMENT on BODY as NAME, or: drape JACKET over SHIRT on BODY as NAME"},

@@ -76,6 +76,15 @@ std::optional<int> Wanted::count(const std::optional<syntax::Expr>& expr, const 
   return std::nullopt;
 }
 
+std::optional<FabricSheet> Wanted::fabric(const syntax::Expr& expr) const {
+  const Value value = evaluate(session, scope, expr);
+  if (const auto* fabric = value.as<FabricValue>()) return *fabric->sheet;
+  if (value.unknown()) return std::nullopt;
+  session.report.add(Problem("E0202", "a fabric is wanted here, and this is " + describe(value))
+                         .at(scope.module().at(expr), describe(value)));
+  return std::nullopt;
+}
+
 std::optional<Vec2> Wanted::point(const std::optional<syntax::Expr>& expr, const std::string& what) const {
   const Value value = evaluate(session, scope, expr);
   if (value.unknown()) return std::nullopt;

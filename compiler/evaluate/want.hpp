@@ -20,6 +20,7 @@ struct Wanted {
                                  const std::string& what) const;
   std::optional<double> not_negative(const std::optional<syntax::Expr>& expr, Dimension dimension,
                                      const std::string& what) const;
+  std::optional<FabricSheet> fabric(const syntax::Expr& expr) const;
   std::optional<int> count(const std::optional<syntax::Expr>& expr, const std::string& what, int most = 1000) const;
   /// A point of lengths.
   std::optional<Vec2> point(const std::optional<syntax::Expr>& expr, const std::string& what) const;

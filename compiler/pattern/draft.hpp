@@ -106,6 +106,8 @@ struct DraftPiece {
   Location fold_written;
   bool mirrored = false;  // cut in mirrored pairs
   int quantity = 1;
+  std::optional<FabricSheet> fabric;  // where it is not the garment's
+  int plies = 1;
   Vec2 warp{0, -1};
   bool free_grain = false;  // the warp turns where it costs least when the piece is developed
   std::vector<DraftDart> darts;

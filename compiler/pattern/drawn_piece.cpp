@@ -59,6 +59,8 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   piece.warp = draft.warp;
   piece.free_grain = draft.free_grain;
   piece.quantity = draft.mirrored ? std::max(1, draft.quantity / 2) : draft.quantity;
+  piece.fabric = draft.fabric;
+  piece.plies = draft.plies;
   piece.chart = draft.chart;
   piece.written = draft.written;
   piece.edges = directed(draft, draft.outline, "", true, drawn.as_drawn);

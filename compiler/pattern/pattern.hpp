@@ -123,7 +123,9 @@ struct Piece {
   std::string label;               // what is written on it
   std::optional<ChartSpec> chart;  // drawn on a body: what stands here is in the chart, and is to be developed
   Location written;
-  int layer = 0;  // of garments worn over each other, from the inside out: Garment::layers
+  int layer = 0;                        // of garments worn over each other, from the inside out: Garment::layers
+  std::optional<FabricSheet> fabric{};  // where it is not the garment's
+  int plies = 1;                        // cut and sewn as one
 
   /// All edges in one numbering: those of the outline, then those of the holes, hole by hole, then those of the lines.
   int edge_count() const;
@@ -133,6 +135,10 @@ struct Piece {
   int next_edge(int number) const;
   /// Whether it lies on a line inside the piece.
   bool is_inside(int number) const;
+
+  bool has_own_cloth() const { return fabric || plies > 1; }
+  /// What is told of it on the pattern: "silk, 2 plies"; empty where it is the garment's cloth.
+  std::string own_cloth() const;
 };
 
 /// A reference to one edge of one piece.
@@ -209,8 +215,10 @@ struct Garment {
   Location written;
   std::vector<WornLayer> layers{};  // from the inside out; empty for a garment that is worn alone
 
-  /// The fabrics that its cloth is made of, one a layer.
+  /// The fabrics that its cloth is made of: one a layer, then those of the pieces that have their own, in their order.
   std::vector<FabricSheet> fabrics() const;
+  /// The number of each piece's among them.
+  std::vector<int> fabric_of_pieces() const;
 };
 
 /// Garments that are worn over each other as one, the innermost first. Pieces are called by their garment:

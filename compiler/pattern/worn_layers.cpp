@@ -1,5 +1,7 @@
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "compiler/pattern/pattern.hpp"
 
 namespace toile {
@@ -37,10 +39,29 @@ void add(const Garment& garment, Garment& all) {
 }  // namespace
 
 std::vector<FabricSheet> Garment::fabrics() const {
-  if (layers.empty()) return {fabric};
   std::vector<FabricSheet> all;
   for (const WornLayer& layer : layers) all.push_back(layer.fabric);
+  if (layers.empty()) all.push_back(fabric);
+  for (const Piece& piece : pieces) {
+    if (!piece.has_own_cloth()) continue;
+    FabricSheet own = piece.fabric ? *piece.fabric : all[static_cast<std::size_t>(piece.layer)];
+    own.plies = piece.plies;
+    all.push_back(std::move(own));
+  }
   return all;
+}
+
+std::vector<int> Garment::fabric_of_pieces() const {
+  std::vector<int> numbers;
+  int next = std::max(1, static_cast<int>(layers.size()));
+  for (const Piece& piece : pieces) numbers.push_back(piece.has_own_cloth() ? next++ : piece.layer);
+  return numbers;
+}
+
+std::string Piece::own_cloth() const {
+  std::string told = fabric ? fabric->name : "";
+  if (plies > 1) told += fmt::format("{}{} plies", told.empty() ? "" : ", ", plies);
+  return told;
 }
 
 Garment worn_over_each_other(const std::vector<Garment>& inside_out) {

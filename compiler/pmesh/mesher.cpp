@@ -268,6 +268,7 @@ PMesh GarmentMesher::mesh() {
   settle();
   PMesh mesh;
   first_point_.clear();
+  mesh.fabric_of_piece = garment_.fabric_of_pieces();
   for (PieceId id = 0; id < static_cast<int>(pieces_.size()); ++id) {
     PieceState& piece = pieces_[id];
     Triangulation& t = piece.triangulation;

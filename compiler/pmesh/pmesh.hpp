@@ -17,7 +17,8 @@ struct PMesh {
   std::vector<std::array<int, 3>> triangles;  // into points
   std::vector<PieceId> piece_of_triangle;
   std::vector<PieceId> piece_of_point;
-  std::vector<int> layer_of_piece;  // of garments worn over each other, from the inside out; empty: all of one
+  std::vector<int> layer_of_piece;   // of garments worn over each other, from the inside out; empty: all of one
+  std::vector<int> fabric_of_piece;  // of Garment::fabrics(); empty: all of one
   std::vector<Vec2> warp_of_piece;  // unit vector of the warp in the drawing: u = p . warp, v = p . perpendicular(warp)
 
   /// The vertices along each edge of each piece, first to last, and the arc length of each on the exact curve.

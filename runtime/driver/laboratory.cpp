@@ -70,7 +70,13 @@ void print_row(Workroom& workroom, const SheetRow& row, const FabricSheet& measu
   const double mean = 0.5 * (was.warp + was.weft);
   const auto shown = [&row](double value) { return fmt::format("{:.4g}", value / row.in_unit); };
   std::string note;
-  if (!(measured.*row.row)) note = measured.stretch || measured.shear ? "  from the constants" : "  class value";
+  if (!(measured.*row.row)) {
+    const FabricSheet told = in_kes_rows(measured);
+    note = told.*row.row                                        ? "  from FAST or the cantilever"
+           : row.row == &FabricSheet::wt && told.lt && told.emt ? "  from LT and EMT"
+           : measured.stretch || measured.shear                 ? "  from the constants"
+                                                                : "  class value";
+  }
   if (row.is_mean && was.warp != was.weft) note += "  the mean of both acts";
   workroom.listener().printed(fmt::format("{:5} {:10} {:>9} {:>9}   {:>9} {:>9}   {:>9} {:>9}{}", row.name, row.unit,
                                           shown(was.warp), shown(was.weft), shown(found.warp), shown(found.weft),

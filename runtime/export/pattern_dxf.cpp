@@ -154,6 +154,7 @@ void draw_writing(const Piece& piece, Dxf& dxf) {
   const double half = std::clamp(0.75 * grain.clearance, 0.01, 0.09);
   dxf.line(Layer::Grain, grain.at - half * piece.warp, grain.at + half * piece.warp);
   std::vector<std::string> lines{"Piece Name: " + piece.name, fmt::format("Quantity: {}", piece.quantity)};
+  if (piece.has_own_cloth()) lines.push_back("Material: " + piece.own_cloth());
   if (!piece.label.empty()) lines.push_back("Annotation: " + piece.label);
   for (std::size_t i = 0; i < lines.size(); ++i) {
     dxf.text(Layer::Cut, name.at - Vec2{0, text_line * static_cast<double>(i)}, lines[i]);

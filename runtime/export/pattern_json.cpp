@@ -134,6 +134,8 @@ Json json(const Piece& piece) {
       {"name", piece.name},         {"drawn_name", piece.drawn_name}, {"mirrored", piece.side == Side::Mirrored},
       {"quantity", piece.quantity}, {"area_m2", tidy(area)},          {"warp", json(piece.warp)}};
   object["label"] = piece.label;
+  if (piece.fabric) object["fabric"] = piece.fabric->name;
+  if (piece.plies > 1) object["plies"] = piece.plies;
   object["fold_m"] = piece.fold ? Json::array({json(piece.fold->from), json(piece.fold->to)}) : Json();
   object["edges"] = json(piece.edges);
   object["holes"] = holes;

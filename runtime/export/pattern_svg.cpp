@@ -168,7 +168,8 @@ class Sheet {
   std::string writing() const {
     const Spot name = free_spot(piece_, {});
     const double size = std::clamp(name.clearance / 4.5, 0.004, 0.013);
-    const std::string quantity = fmt::format("cut {}{}", piece_.quantity, piece_.fold ? ", unfolded" : "");
+    const std::string quantity = fmt::format("cut {}{}{}", piece_.quantity, piece_.fold ? ", unfolded" : "",
+                                             piece_.has_own_cloth() ? ", " + piece_.own_cloth() : "");
     std::string drawing = svg::text("bold", name.at + Vec2{0, 0.6 * size}, size, piece_.name) +
                           svg::text("soft", name.at - Vec2{0, 0.6 * size}, 0.6 * size, quantity);
     if (!piece_.label.empty()) {

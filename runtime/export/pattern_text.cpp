@@ -90,6 +90,15 @@ class PatternWriter {
     row("SMD", sheet.smd, 1e-6, "um");
     row("stretch", sheet.stretch, 1, " N/m");
     row("shear", sheet.shear, 1, " N/m");
+    row("B45", sheet.b45, 0.01 * gram_force, " gf*cm^2/cm");
+    row("E5", sheet.e5, 0.01, "%");
+    row("E20", sheet.e20, 0.01, "%");
+    row("E100", sheet.e100, 0.01, "%");
+    row("EB5", sheet.eb5, 0.01, "%");
+    row("C", sheet.c, 0.001, "mm");
+    row("C45", sheet.c45, 0.001, "mm");
+    row("T2", sheet.t2, 0.001, "mm");
+    row("T100", sheet.t100, 0.001, "mm");
     put("}}\n\n");
     return name;
   }

@@ -33,7 +33,9 @@ class SewingPlan {
     if (!garment_.fabric.name.empty()) all += fmt::format("cloth: {}\n", garment_.fabric.name);
     all += "\ncut\n";
     for (const Piece& piece : garment_.pieces) {
-      all += fmt::format("    {} x {}{}\n", piece.quantity, piece.name, piece.label.empty() ? "" : ": " + piece.label);
+      all += fmt::format("    {} x {}{}{}\n", piece.quantity, piece.name,
+                         piece.has_own_cloth() ? " in " + piece.own_cloth() : "",
+                         piece.label.empty() ? "" : ": " + piece.label);
     }
     all += "\nsew\n";
     int number = 0;

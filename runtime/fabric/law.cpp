@@ -192,6 +192,7 @@ FabricLaw softened(const FabricLaw& law, double share) {
 }
 
 FabricSheet with_class_values(FabricSheet sheet) {
+  sheet = in_kes_rows(std::move(sheet));
   const auto take = [](auto& row, auto value) {
     if (!row) row = value;
   };
@@ -224,16 +225,19 @@ FabricLaw make_law(const FabricSheet& measured) {
     return sheet.stretch ? ElongationLaw::linear((*sheet.stretch).*thread)
                          : ElongationLaw::from_kes((*sheet.emt).*thread, (*sheet.lt).*thread);
   };
+  const ShearLaw shear = sheet.shear ? ShearLaw::linear(*sheet.shear)
+                                     : ShearLaw(mean(sheet.g), mean(sheet.hg), mean(sheet.hg5), woven_locking);
+  // Plies are sewn along their edges and slide on each other between: what each resists adds up.
+  const double plies = sheet.plies;
   return FabricLaw{
-      .warp = elongation(&WarpWeft::warp),
-      .weft = elongation(&WarpWeft::weft),
-      .shear = sheet.shear ? ShearLaw::linear(*sheet.shear)
-                           : ShearLaw(mean(sheet.g), mean(sheet.hg), mean(sheet.hg5), woven_locking),
-      .bend_warp = {sheet.b->warp, sheet.hb->warp / 2},
-      .bend_weft = {sheet.b->weft, sheet.hb->weft / 2},
-      .twist = *sheet.twist,
-      .weight = *sheet.weight,
-      .thickness = *sheet.t0,
+      .warp = elongation(&WarpWeft::warp).softened(plies),
+      .weft = elongation(&WarpWeft::weft).softened(plies),
+      .shear = shear.softened(plies),
+      .bend_warp = {plies * sheet.b->warp, plies * sheet.hb->warp / 2},
+      .bend_weft = {plies * sheet.b->weft, plies * sheet.hb->weft / 2},
+      .twist = plies * *sheet.twist,
+      .weight = plies * *sheet.weight,
+      .thickness = plies * *sheet.t0,
       .pressure = layer_pressure(*sheet.tm / *sheet.t0),
       .friction = *sheet.miu,
   };

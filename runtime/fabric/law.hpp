@@ -16,7 +16,7 @@ class ElongationLaw {
   static ElongationLaw linear(double stiffness);  // [N/m]
 
   Density operator()(double strain) const;
-  /// The same with so much of its force.
+  /// The same with so much of its force: a share, or as many times as it has plies.
   ElongationLaw softened(double share) const;
   double initial_stiffness() const { return initial_; }
 
@@ -81,6 +81,8 @@ struct FabricLaw {
   double friction = 0;   // [1] against the body
 };
 
+/// The rows of FAST and of the cantilever as those of the KES: what the laws are made of.
+FabricSheet in_kes_rows(FabricSheet sheet);
 /// The sheet with the class values of docs/mechanics.md in the rows that are missing (weight and bending are asked for
 /// by the compiler).
 FabricSheet with_class_values(FabricSheet sheet);

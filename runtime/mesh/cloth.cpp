@@ -10,6 +10,12 @@ int Cloth::fabric_count() const {
   return count;
 }
 
+int Cloth::layer_count() const {
+  int count = 1;
+  for (const ClothTriangle& triangle : triangles) count = std::max(count, triangle.layer + 1);
+  return count;
+}
+
 Cloth make_cloth(const SewnMesh& mesh) {
   Cloth cloth;
   cloth.vertex_count = mesh.s.vertex_count;
@@ -22,7 +28,8 @@ Cloth make_cloth(const SewnMesh& mesh) {
     triangle.vertices = mesh.s.triangles[t];
     triangle.edges = mesh.s.edge_of_corner[t];
     const auto piece = static_cast<std::size_t>(mesh.p.piece_of_triangle[t]);
-    triangle.fabric = mesh.p.layer_of_piece.empty() ? 0 : mesh.p.layer_of_piece[piece];
+    if (!mesh.p.fabric_of_piece.empty()) triangle.fabric = mesh.p.fabric_of_piece[piece];
+    if (!mesh.p.layer_of_piece.empty()) triangle.layer = mesh.p.layer_of_piece[piece];
     const Vec2 warp = mesh.p.warp_of_piece[piece];
     const Vec2 weft = perpendicular(warp);
     for (std::size_t corner = 0; corner < 3; ++corner) {

@@ -15,6 +15,7 @@ struct ClothTriangle {
   std::array<int, 3> edges{};     // opposite to each vertex
   std::array<Vec2, 3> uv{};  // [m] corners in (warp, weft); right-handed for the drawn copy seen from the right side
   int fabric = 0;            // of those that the cloth is made of
+  int layer = 0;             // of garments worn over each other, from the inside out
 };
 
 struct Cloth {
@@ -26,6 +27,7 @@ struct Cloth {
   double area = 0;                     // [m2]
 
   int fabric_count() const;
+  int layer_count() const;
 };
 
 Cloth make_cloth(const SewnMesh& mesh);

@@ -24,7 +24,7 @@ class TriangleGrid {
                double cell)
       : cloth_(cloth), positions_(positions), cell_(cell) {
     for (std::size_t t = 0; t < cloth.triangles.size(); ++t) {
-      if (!counts(cloth.triangles[t].fabric)) continue;
+      if (!counts(cloth.triangles[t].layer)) continue;
       std::array<std::int64_t, 3> low{}, high{};
       for (std::size_t k = 0; k < 3; ++k) {
         const std::array<std::int64_t, 3> at = cell_of(positions[cloth.triangles[t].vertices[k]]);
@@ -87,7 +87,7 @@ class TriangleGrid {
 std::vector<int> layers_of_vertices(const Cloth& cloth) {
   std::vector<int> layers(static_cast<std::size_t>(cloth.vertex_count), 0);
   for (const ClothTriangle& triangle : cloth.triangles) {
-    for (const int v : triangle.vertices) layers[v] = std::max(layers[v], triangle.fabric);
+    for (const int v : triangle.vertices) layers[v] = std::max(layers[v], triangle.layer);
   }
   return layers;
 }
@@ -186,7 +186,7 @@ class OuterLayer {
 
 void put_outside(const RestMesh& rest, const Body& body, double gap, std::vector<Vec3>& positions) {
   const std::vector<int> layers = layers_of_vertices(rest.cloth());
-  for (int layer = 1; layer < rest.cloth().fabric_count(); ++layer) {
+  for (int layer = 1; layer < rest.cloth().layer_count(); ++layer) {
     OuterLayer(rest, layers, layer, body, gap, positions).put_outside();
   }
 }

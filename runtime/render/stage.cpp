@@ -152,7 +152,7 @@ void Stage::add_cloth(const DressedCloth& cloth, const std::optional<FieldScale>
     return std::isfinite(v) ? v : 0;
   };
   for (const ClothTriangle& triangle : cloth.cloth->triangles) {
-    if (cloth.only && triangle.fabric != *cloth.only) continue;
+    if (cloth.only && triangle.layer != *cloth.only) continue;
     const auto& corner = triangle.vertices;
     if (!std::all_of(corner.begin(), corner.end(), [&](int i) { return is_finite((*cloth.positions)[index(i)]); }))
       continue;

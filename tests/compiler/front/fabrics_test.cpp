@@ -66,6 +66,44 @@ TEST(Fabrics, WrongRows) {
   EXPECT_THAT(script.rendered(), AllOf(HasSubstr("did you mean `EMT`?"), HasSubstr("this is negative")));
 }
 
+TEST(Fabrics, OnePropertyIsMeasuredByOneInstrument) {
+  EXPECT_THAT(
+      Script("fabric a {\n  C 18mm\n  2HB 0.02 gf*cm/cm\n  EB5 3%\n  W 19 mg/cm^2\n}\n").told(),
+      ElementsAre(AllOf(StartsWith("E0413 2:3"), HasSubstr("bending of fabric `a`"), HasSubstr("`2HB` and `C`"))));
+  EXPECT_THAT(Script("fabric a {\n  C 18mm\n  C45 17mm\n  twist 0.02 gf*cm^2/cm\n  W 19 mg/cm^2\n}\n").told(),
+              ElementsAre(AllOf(StartsWith("E0413 3:3"), HasSubstr("twisting"))));
+}
+
+TEST(Fabrics, TheOtherInstrumentReplacesWhatAVariationHas) {
+  const Script script(
+      "import fabrics\nfabric a = fabrics.denim with {\n  C 20mm, 15mm\n}\nfabric b = a with {\n  B 0.2 gf*cm^2/cm\n}\n"
+      "garment g in a {\n" +
+      square_piece + "garment h in b {\n" + square_piece);
+  ASSERT_THAT(script.told(), IsEmpty());
+  const FabricSheet& a = script.program->garments().at(0).fabric;
+  EXPECT_FALSE(a.b || a.hb);
+  EXPECT_DOUBLE_EQ(a.c->weft, 0.015);
+  EXPECT_TRUE(a.emt);
+  const FabricSheet& b = script.program->garments().at(1).fabric;
+  EXPECT_FALSE(b.c);
+  EXPECT_NEAR(b.b->warp, 0.2 * 9.80665e-5, 1e-16);
+}
+
+TEST(Fabrics, MeasurementsThatNoClothHasTogether) {
+  const auto told = [](const std::string& rows) {
+    return Script("fabric a {\n  W 19 mg/cm^2\n" + rows + "}\n").told();
+  };
+  EXPECT_THAT(told("  C 18mm\n  E20 2%\n  E100 1%\n"),
+              ElementsAre(AllOf(StartsWith("E0414 4:3"), HasSubstr("2% at 20 gf/cm and 1% at 100"))));
+  EXPECT_THAT(told("  C 18mm\n  E20 1%\n  E100 5.1%\n"),
+              ElementsAre(AllOf(StartsWith("E0414 5:3"), HasSubstr("softer"))));
+  EXPECT_THAT(told("  C 18mm\n  E100 5%\n"), ElementsAre(StartsWith("E0414 4:3")));
+  EXPECT_THAT(told("  B 0.1 gf*cm^2/cm\n  B45 0.2 gf*cm^2/cm\n"),
+              ElementsAre(AllOf(StartsWith("E0414 4:3"), HasSubstr("below 0.2 gf*cm^2/cm"))));
+  EXPECT_THAT(told("  C 18mm\n  C45 24mm\n"), ElementsAre(AllOf(StartsWith("E0414 4:3"), HasSubstr("below 22.68 mm"))));
+  EXPECT_THAT(told("  C45 24mm\n  B 0.1 gf*cm^2/cm\n"), ElementsAre(StartsWith("E0413")));
+}
+
 TEST(Fabrics, TensileRowsThatContradictEachOtherAreAWarning) {
   const Script script("fabric a {\n  LT 0.6\n  EMT 4%\n  WT 7 gf*cm/cm^2\n  W 19 mg/cm^2\n  B 0.1 gf*cm^2/cm\n}\n");
   EXPECT_THAT(script.told(), ElementsAre(AllOf(StartsWith("W0405 4:3"), HasSubstr("LT * Fm * EMT / 2 is 6"))));

@@ -48,6 +48,33 @@ TEST(Walks, EdgesAreCurvesForLaterLines) {
   EXPECT_DOUBLE_EQ(script.program->garments().at(0).pieces.at(0).notches.at(0).at, 0.05);
 }
 
+TEST(Garments, APieceMayBeOfAnotherClothAndOfSeveralPlies) {
+  const Script script("import fabrics\ngarment g in fabrics.denim {\n  piece p {\n" + square +
+                      "    cut 2 in fabrics.silk plies 3\n  }\n  piece q {\n" + square +
+                      "    cut 1\n  }\n  piece r {\n" + square +
+                      "    cut 2 plies 2\n  }\n  sew p.south to q.south\n  sew q.east to r.east\n}\n");
+  ASSERT_THAT(script.told(), IsEmpty()) << script.rendered();
+  const Garment& garment = script.program->garments().at(0);
+  EXPECT_THAT(garment.fabric_of_pieces(), ElementsAre(1, 0, 2));
+  const std::vector<FabricSheet> fabrics = garment.fabrics();
+  ASSERT_THAT(fabrics, SizeIs(3));
+  EXPECT_EQ(fabrics[0].name, "denim");
+  EXPECT_EQ(fabrics[1].name, "silk");
+  EXPECT_EQ(fabrics[1].plies, 3);
+  EXPECT_EQ(fabrics[2].name, "denim");
+  EXPECT_EQ(fabrics[2].plies, 2);
+  EXPECT_EQ(garment.pieces.at(0).own_cloth(), "silk, 3 plies");
+  EXPECT_EQ(garment.pieces.at(1).own_cloth(), "");
+}
+
+TEST(Garments, WrongClothsOfPieces) {
+  const auto told = [](const std::string& cut) { return Script(with_piece(square + "    cut " + cut + "\n")).told(); };
+  EXPECT_THAT(told("2 in 5cm"), ElementsAre(AllOf(StartsWith("E0202 9:14"), HasSubstr("a fabric is wanted"))));
+  EXPECT_THAT(told("2 plies 0"), ElementsAre(StartsWith("E0208 9:17")));
+  EXPECT_THAT(told("2 plies 1.5"), ElementsAre(AllOf(StartsWith("E0209 9:17"), HasSubstr("number of plies"))));
+  EXPECT_THAT(told("2 in silkk"), ElementsAre(StartsWith("E0101 9:14")));
+}
+
 TEST(Garments, ForMakesSeveralDetails) {
   const std::string repeated =
       "    for i in 1..4 if i != 3 {\n      notch at i * 2cm of south\n    }\n"
