@@ -96,6 +96,8 @@ class DetailReader {
       fail();
       return std::nullopt;
     }
+    constexpr double no_length = 1e-5;  // [m] that the edge has none is told with the outline
+    if (curve_of(draft_, *line).length() < no_length) return DraftPlace{*line, 0};
     const auto s = arc_length_at(session_, curve_of(draft_, *line), where, module_.at(*where_expr),
                                  "the end of edge `" + *line + "`");
     if (!s) fail();
@@ -356,7 +358,7 @@ std::optional<std::string> named_edge(Session& session, const PieceInstance& pie
   for (const auto& inner : piece.inner) {
     for (const PlannedEdge& rim : inner->edges) known.push_back(inner->name + "." + rim.name);
   }
-  if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
+  if (piece.doubled || std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
   const auto first = syntax::token(reference, syntax::Kind::Name);
   report_unknown(session, scope.module(), *first, fmt::format("piece `{}` has no edge `{}`", piece.name, name), known,
                  "E0308");
