@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <optional>
+#include <variant>
 
 #include "compiler/curve/curve.hpp"
 #include "compiler/curve/segment.hpp"
@@ -221,8 +222,40 @@ class Search {
   std::vector<Crossing> found_;
 };
 
+// About the control points of a curve, or the circles of its arcs.
+struct Bounds {
+  Vec2 low{1e300, 1e300}, high{-1e300, -1e300};
+
+  explicit Bounds(const Curve& curve) {
+    for (const Segment& segment : curve.segments()) std::visit([this](const auto& s) { add(s); }, segment);
+  }
+  bool apart(const Bounds& other) const {
+    const double margin = 2 * kTouch;
+    return low.x > other.high.x + margin || other.low.x > high.x + margin || low.y > other.high.y + margin ||
+           other.low.y > high.y + margin;
+  }
+
+ private:
+  void add(Vec2 p) {
+    low = {std::min(low.x, p.x), std::min(low.y, p.y)};
+    high = {std::max(high.x, p.x), std::max(high.y, p.y)};
+  }
+  void add(const LineSegment& l) {
+    add(l.from);
+    add(l.to);
+  }
+  void add(const ArcSegment& a) {
+    add(a.centre - Vec2{a.radius, a.radius});
+    add(a.centre + Vec2{a.radius, a.radius});
+  }
+  void add(const BezierSegment& b) {
+    for (const Vec2 p : {b.p0, b.p1, b.p2, b.p3}) add(p);
+  }
+};
+
 template <class SearchOf>
 std::vector<Crossing> found_by(SearchOf search, const Curve& first, const Curve& second) {
+  if (Bounds(first).apart(Bounds(second))) return {};
   const std::vector<Part> ones = parts_of(first), others = parts_of(second);
   for (const Part& a : ones) {
     for (const Part& b : others) search.pair(a, b);

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
+#include <utility>
 
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/expression.hpp"
@@ -114,6 +115,7 @@ class PartReader {
                                       [&](const BodySection& other) { return !name_.empty() && other.name == name_; });
     if (earlier != spec->sections.end()) section = *earlier;
     section.name = name_;
+    section.written = module_.at(part_);
     if (const auto at = part_.at()) {
       const auto level = wanted_.not_negative(at, dimension::length, "the level of a section");
       if (level) section.level = *level;
@@ -231,6 +233,11 @@ class PartReader {
   std::string name_;
 };
 
+/// Files are numbered from the script on, so what is imported has the higher number, and was there before.
+bool written_before(const Location& a, const Location& b) {
+  return std::pair(b.file, a.span.begin) < std::pair(a.file, b.span.begin);
+}
+
 /// Sections may be written in any order; no two lie at one level.
 void order_sections(Session& session, FormSpec& form, BodyInstance& body) {
   auto& sections = form.sections;
@@ -239,9 +246,12 @@ void order_sections(Session& session, FormSpec& form, BodyInstance& body) {
   for (std::size_t i = 1; i < sections.size() && body.sound; ++i) {
     if (sections[i].level > sections[i - 1].level) continue;
     body.sound = false;
+    // The later one in the text is at fault.
+    const auto [first, second] = std::minmax(sections[i - 1].written, sections[i].written, written_before);
     session.report.add(Problem("E0408", fmt::format("two sections of `{}` lie at the same level of {}", body.spec.name,
                                                     format_quantity(sections[i].level, dimension::length)))
-                           .at(body.spec.written));
+                           .at(second, "at this level")
+                           .also(first, "lies here already"));
   }
 }
 

@@ -234,7 +234,10 @@ std::vector<Formal> formals_of(const Session& session, const Module& module,
   std::vector<Formal> formals;
   if (!parameters) return formals;
   for (const syntax::Parameter& parameter : parameters->list()) {
-    formals.push_back({session.name_of(module, parameter.name()), parameter.fallback().has_value()});
+    const std::string name = session.name_of(module, parameter.name());
+    const bool again =
+        std::any_of(formals.begin(), formals.end(), [&](const Formal& each) { return each.name == name; });
+    formals.push_back({name, parameter.fallback().has_value() || again});
   }
   return formals;
 }

@@ -80,7 +80,7 @@ void Commands::check_drape(Planned& planned, const syntax::Drape& drape) {
   for (const syntax::Expr& expr : garments) {
     const GarmentInstance* garment = draped_garment(expr);
     if (garment == nullptr) return;
-    if (sound) check_bodies(drape, *garment, body.get());
+    if (sound && !module().broken(drape.span())) check_bodies(drape, *garment, body.get());
     if (garment->index >= 0) outside_in.push_back(garment->index);
   }
   if (!sound || outside_in.size() < garments.size()) return;

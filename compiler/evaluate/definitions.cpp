@@ -29,6 +29,7 @@ class ParamReader {
     const auto value_expr = written_.value();
     Value fallback = evaluate(session_, scope_, value_expr);
     const bool has_range = read_range(fallback);
+    if (misfits_) return Unknown{};
     if (has_range && !inside(fallback, module_.at(*value_expr), "the default")) return Unknown{};
     if (value_expr && !chosen(fallback, module_.at(*value_expr), "the default")) return Unknown{};
     for (Session::GivenSetting& setting : session_.settings) {
@@ -72,6 +73,7 @@ class ParamReader {
                                                        describe(end), describe(fallback)))
                               .at(module_.at(*expr), describe(end))
                               .at(module_.at(*written_.value()), describe(fallback)));
+      misfits_ = true;
       return false;
     }
     if (!low_.known() || !high_.known() || !fallback.known()) return false;
@@ -139,6 +141,7 @@ class ParamReader {
   const std::string& full_name_;
   Value low_;
   Value high_;
+  bool misfits_ = false;  // the range is of another dimension: either may be meant
 };
 
 /// How settings call the params of a module: those of the script by their own names.

@@ -96,6 +96,8 @@ class DetailReader {
       fail();
       return std::nullopt;
     }
+    constexpr double no_length = 1e-5;  // [m] that the edge has none is told with the outline
+    if (curve_of(draft_, *line).length() < no_length) return DraftPlace{*line, 0};
     const auto s = arc_length_at(session_, curve_of(draft_, *line), where, module_.at(*where_expr),
                                  "the end of edge `" + *line + "`");
     if (!s) fail();
@@ -153,7 +155,7 @@ class DetailReader {
         sizes.set(*name, wanted.positive(property.value(), dimension::length, "the " + *name + " of a dart"));
       }
     }
-    for (const syntax::Flag& flag : dart.flags()) read_flag(flag, made);
+    for (const syntax::Flag& flag : dart.flags()) read_flag(flag, dart.inside(), made);
     if (draft_.chart) return read_slit(std::move(made), placed, sizes, dart.span());
     if (sizes.has("tip") && sizes.has("depth")) {
       session_.report.add(Problem("E0102", "a dart has a `depth` or a `tip`").at(made.written));
@@ -204,15 +206,15 @@ class DetailReader {
     return arc_length_at(session_, line(dart.inside.from, dart.inside.to), value, module_.at(*expr), "the dart's end");
   }
 
-  void read_flag(const syntax::Flag& flag, DraftDart& dart) {
+  void read_flag(const syntax::Flag& flag, bool inside, DraftDart& dart) {
     const auto word = flag.word();
     if (!word) return fail();
-    if (word->kind() == syntax::Kind::KwTrued && !dart.edge.empty()) {
+    if (word->kind() == syntax::Kind::KwTrued && !inside) {
       dart.trued = true;
     } else if (word->kind() == syntax::Kind::KwPressed) {
       dart.pressed = press_of(flag);
     } else {
-      refuse(*word, dart.edge.empty() ? "a dart inside a piece" : "a dart");
+      refuse(*word, inside ? "a dart inside a piece" : "a dart");
     }
   }
 
@@ -356,7 +358,7 @@ std::optional<std::string> named_edge(Session& session, const PieceInstance& pie
   for (const auto& inner : piece.inner) {
     for (const PlannedEdge& rim : inner->edges) known.push_back(inner->name + "." + rim.name);
   }
-  if (std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
+  if (piece.doubled || std::find(known.begin(), known.end(), name) != known.end()) return std::nullopt;
   const auto first = syntax::token(reference, syntax::Kind::Name);
   report_unknown(session, scope.module(), *first, fmt::format("piece `{}` has no edge `{}`", piece.name, name), known,
                  "E0308");

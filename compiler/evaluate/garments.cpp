@@ -147,6 +147,7 @@ class GarmentBuilder {
     }
     if (made == nullptr) {
       garment_.sound = false;
+      garment_.doubled = true;
       return;
     }
     garment_.add(std::move(piece));

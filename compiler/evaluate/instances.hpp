@@ -112,6 +112,7 @@ struct PieceInstance {
   std::vector<std::unique_ptr<Scope>> turns;  // of a `for` of its edges
   std::vector<std::unique_ptr<InnerInstance>> inner;
   bool sound = true;
+  bool doubled = false;  // two of its edges have one name: an unknown edge may be one of them
 
   std::vector<std::string> edge_names() const;
   /// The hole or line of that name, or null.
@@ -128,6 +129,7 @@ struct GarmentInstance {
   int index = -1;  // among Program::garments()
   bool has_fabric = false;
   bool sound = true;
+  bool doubled = false;                    // two of its pieces have one name: an unknown piece may be one of them
   std::shared_ptr<BodyInstance> drawn_on;  // of pieces that are to be developed
 
   PieceInstance* piece(std::string_view piece_name) const;

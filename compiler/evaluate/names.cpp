@@ -159,6 +159,7 @@ Value look_up(Session& session, const Scope& scope, const syntax::Token& name, W
   std::vector<std::string> known = scope.visible_names();
   const std::vector<std::string> functions = builtin_names();
   known.insert(known.end(), functions.begin(), functions.end());
+  if (scope.is_doubled() && !nearest(text, known)) return Unknown{};  // one of the two may have been meant
   std::string message = "there is no `" + std::string(text) + "` here";
   if (suggestion(text, known).empty()) {
     for (const std::string& module : session.world.module_names()) {
@@ -176,14 +177,14 @@ Definition* define(Session& session, Scope& scope, const std::optional<syntax::T
   if (!name) return nullptr;
   const std::string text = session.name_of(scope.module(), name);
   const Location at = scope.module().at(*name);
-  if (const Definition* earlier = scope.own(text)) {
+  Definition* made = scope.define(text, at, std::move(compute));
+  if (made == nullptr) {
     session.report.add(Problem("E0102", "`" + text + "` is defined twice")
                            .at(at, "defined again here")
-                           .also(earlier->at, "first defined here")
+                           .also(scope.own(text)->at, "first defined here")
                            .help("choose another name for one of them"));
-    return nullptr;
   }
-  return scope.define(text, at, std::move(compute));
+  return made;
 }
 
 }  // namespace toile

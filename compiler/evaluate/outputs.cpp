@@ -160,6 +160,7 @@ void Commands::check_export(Planned& planned, const syntax::Export& output) {
     made.path = *path;
   } else {
     const DrapeRecord* drape = result(*subject, value);
+    if (value.as<ResultValue>() == nullptr) return;  // how that would be written nobody knows
     const bool develops = drape != nullptr && drape->develops;
     const auto path = develops ? output_path(output.path(), "a development",
                                              {"toile", "svg", "dxf", "json", "obj", "ply", "vtu", "glb"})

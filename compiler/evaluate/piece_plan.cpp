@@ -103,6 +103,7 @@ void PiecePlanner::plan(PieceInstance& piece) {
     if (base != nullptr) {
       varied->plan = base->plan;
       varied->sound = varied->sound && base->sound;
+      varied->doubled = base->doubled;
     }
     apply(*varied);
     states_[varied] = State::Done;
@@ -127,7 +128,8 @@ PieceInstance* PiecePlanner::base_of(PieceInstance& piece) {
   for (const auto& each : garment_.pieces) {
     if (each.get() != &piece) names.push_back(each->name);
   }
-  report_unknown(session_, module, *written, fmt::format("there is no piece `{}` to vary", name), names);
+  if (!garment_.doubled)
+    report_unknown(session_, module, *written, fmt::format("there is no piece `{}` to vary", name), names);
   piece.sound = false;
   return nullptr;
 }
@@ -183,6 +185,10 @@ void PiecePlanner::apply(PieceInstance& piece) {
       own.take(item, std::nullopt);
     }
   }
+  // On the fold and cut in pairs are two ways to have both halves: a variation's own word replaces the other one.
+  const bool own_fold = said.contains("fold"), own_cut = said.contains("cut");
+  if (own_cut && !own_fold && plan.cut->mirrored()) plan.fold.reset();
+  if (own_fold && !own_cut && plan.cut && plan.cut->mirrored()) plan.cut.reset();
   // Two holes or lines of one name in one block stay two, for the definition of names to notice.
   std::erase_if(plan.inner, [&](const syntax::Inner& each) { return is_among(session_, module, own_inner, each); });
   plan.inner.insert(plan.inner.end(), own_inner.begin(), own_inner.end());
@@ -231,6 +237,7 @@ void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& out
                             .also(module.at(*same->written.name()), "first drawn here")
                             .help("edges of one piece have different names, so that seams can tell them apart"));
     piece.sound = false;
+    piece.doubled = true;
   }
 }
 

@@ -22,7 +22,10 @@ Definition* Scope::find(std::string_view name, const Scope** where, bool prefer_
 }
 
 Definition* Scope::define(std::string name, Location at, std::function<Value()> compute) {
-  if (own(name) != nullptr) return nullptr;
+  if (own(name) != nullptr) {
+    doubled_ = true;
+    return nullptr;
+  }
   definitions_.push_back(std::make_unique<Definition>());
   Definition* definition = definitions_.back().get();
   definition->name = name;

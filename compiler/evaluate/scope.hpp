@@ -55,7 +55,7 @@ class Scope {
   /// The innermost definition seen from here, or null; `where` tells the scope it stands in. A definition that yields
   /// is found only where there is no other, or when it is preferred.
   Definition* find(std::string_view name, const Scope** where = nullptr, bool prefer_edges = false) const;
-  /// Null when the name is taken already.
+  /// Null when the name is taken already; an unknown name may then be the one that was meant.
   Definition* define(std::string name, Location at, std::function<Value()> compute);
   void define_value(std::string name, Location at, Value value);
 
@@ -64,11 +64,14 @@ class Scope {
   /// All names seen from here, for suggestions.
   std::vector<std::string> visible_names() const;
   std::vector<std::string> own_names() const;
+  /// Whether a name was defined twice here, or in a scope around.
+  bool is_doubled() const { return doubled_ || (parent_ != nullptr && parent_->is_doubled()); }
 
  private:
   Module* module_;
   const Scope* parent_;
   bool is_call_;
+  bool doubled_ = false;
   std::string signature_;
   std::vector<std::unique_ptr<Definition>> definitions_;
   std::map<std::string, Definition*, std::less<>> by_name_;

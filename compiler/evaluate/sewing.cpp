@@ -74,6 +74,7 @@ class SewingReader {
     made.piece = called->at(0);
     const PieceInstance* piece = garment_.piece(made.piece);
     if (piece == nullptr) {
+      if (garment_.doubled) return {};
       std::vector<std::string> names;
       for (const auto& each : garment_.pieces) names.push_back(each->name);
       report_unknown(session_, module_, path[0],
@@ -93,6 +94,7 @@ class SewingReader {
       for (const PlannedEdge& edge : inner->edges) known.push_back(edge.name);
     }
     if (std::find(known.begin(), known.end(), made.edge) == known.end()) {
+      if (piece->doubled) return {};
       report_unknown(session_, module_, path[1], fmt::format("piece `{}` has no edge `{}`", made.piece, made.edge),
                      known, "E0308");
       return {};

@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <array>
 #include <cctype>
+#include <utility>
 
 #include "compiler/diag/nearest.hpp"
 #include "compiler/evaluate/session.hpp"
@@ -208,6 +209,28 @@ Problem explained(const Source& source, FileId file, const SyntaxError& error) {
   return unexpected(source, file, error);
 }
 
+/// How many braces are opened in the text and not closed again; below zero where more are closed.
+int open_braces(std::string_view text) {
+  int open = 0;
+  for (std::size_t at = 0; at < text.size(); ++at) {
+    if (text[at] == '"') {
+      for (++at; at < text.size() && text[at] != '"' && text[at] != '\n'; ++at) at += text[at] == '\\' ? 1 : 0;
+    } else if (text.substr(at).starts_with("//")) {
+      at = std::min(text.find('\n', at), text.size());
+    } else {
+      open += text[at] == '{' ? 1 : text[at] == '}' ? -1 : 0;
+    }
+  }
+  return open;
+}
+
+/// A statement that is one of the language's, but not where it stands.
+bool is_out_of_place(const Source& source, const SyntaxError& error) {
+  if (error.what != SyntaxError::What::Unexpected) return false;
+  const std::string_view found = source.slice(error.span);
+  return found == "}" || found == "line" || std::ranges::find(statement_names(), found) != statement_names().end();
+}
+
 /// A text in another encoding is wrong as a whole, not at each of its bytes.
 std::optional<Problem> other_encoding(const Source& source, FileId file) {
   const std::string_view text = source.text();
@@ -228,8 +251,15 @@ void report_syntax_errors(Session& session, const Module& module) {
   const Source& source = session.sources[module.file];
   if (module.parsed.errors.empty()) return;
   if (const auto encoding = other_encoding(source, module.file)) return session.report.add(*encoding);
+  // One brace too many closes a block too early, and then all that follows stands in the wrong one.
+  const bool closed_early = open_braces(source.text()) < 0;
+  bool told = false;
   for (const SyntaxError& error : module.parsed.errors) {
-    session.report.add(syntax_diagnostic(error, source, module.file));
+    const bool follows = closed_early && is_out_of_place(source, error);
+    if (follows && std::exchange(told, true)) continue;
+    Diagnostic diagnostic = syntax_diagnostic(error, source, module.file);
+    if (follows) diagnostic.help = "a `}` before it closes its block too early, or is one too many";
+    session.report.add(std::move(diagnostic));
   }
 }
 

@@ -52,6 +52,10 @@ class TextileReader {
       sound_ = false;
       return;
     }
+    if (module_.broken(row.span())) {
+      sound_ = false;
+      return;
+    }
     if (name == "warp") warp_ = threads(row);
     if (name == "weft") weft_ = threads(row);
     if (name == "thread") read_pitch(row);

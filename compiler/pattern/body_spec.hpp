@@ -18,6 +18,7 @@ struct BodySection {
   double width_to_depth = 1.35;  // a/b
   double forward = 0;            // [m] shift of the centre towards the front (-y)
   double squareness = 2.2;       // n
+  Location written{};
 };
 
 /// A limb grows out of the torso; sections are perpendicular to its axis. Given for the left side (+x) and mirrored.

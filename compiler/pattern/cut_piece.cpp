@@ -64,17 +64,19 @@ std::vector<Piece> cut_piece(const DraftPiece& draft, const PieceUse& use, Findi
   DrawnPiece drawn = drawn_piece(draft);
   // Each check reports for itself, so that one look shows all that is wrong with a piece.
   const bool holes = check_holes(draft, findings);
-  const bool inside = check_marks(draft, drawn, findings);
+  const bool inside = holes && check_marks(draft, drawn, findings);
   const bool allowances = check_allowances(draft, findings);
   const bool fold = !draft.fold || check_fold(draft, drawn, findings);
   const bool rims = check_rims(draft, findings);
-  const bool marks = rims && cut_darts(draft, drawn, findings) && pivot_darts(draft, drawn, findings) &&
-                     finish_darts(draft, drawn, findings) && cut_pleats(draft, use, drawn, findings);
+  // A hole gone astray, or a wrong edge as the fold, would be found at fault again by all that stands on it.
+  const bool marks = holes && fold && rims && cut_darts(draft, drawn, findings) &&
+                     pivot_darts(draft, drawn, findings) && finish_darts(draft, drawn, findings) &&
+                     cut_pleats(draft, use, drawn, findings);
   const bool lines = marks && check_lines(draft, drawn, findings);
   for (const DraftPlace& place : use.divisions) divide_at(drawn, place.edge, place.at);
   divide_at_creases(draft, drawn);
   if (lines) divide_at_lines(draft, drawn);
-  const bool notches = set_notches(draft, drawn, findings);
+  const bool notches = fold && set_notches(draft, drawn, findings);
   if (!inside || !holes || !allowances || !fold || !marks || !lines || !notches) return {};
   if (draft.fold) {
     Piece whole = unfolded(drawn.piece, *draft.fold);

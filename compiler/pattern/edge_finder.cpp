@@ -106,6 +106,9 @@ std::optional<FoundEdge> EdgeFinder::find(const DraftEdgeRef& reference, const c
     return std::nullopt;
   }
   if (piece->fold && reference.edge == *piece->fold) {
+    const bool cut =
+        std::any_of(pieces_.begin(), pieces_.end(), [&](const Piece& each) { return each.drawn_name == piece->name; });
+    if (!cut) return std::nullopt;  // what is wrong with the piece, perhaps with its fold, has been told
     findings.error(
         "E0315", fmt::format("the fold {} of piece {} cannot be {}", quoted(reference.edge), quoted(piece->name), deed),
         {{reference.written, "here"}, {piece->fold_written, "the fold is no edge of the unfolded piece"}},

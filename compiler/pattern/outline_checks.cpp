@@ -16,7 +16,6 @@ constexpr double kOpen = 1e-6;      // [m] ends nearer than this are joined
 constexpr double kNoLength = 1e-5;  // [m]
 constexpr double kAbsurd = 1000;    // [m]
 constexpr double kSliver = 1e-6;    // area over squared length of the outline
-constexpr int kMostPairs = 4;       // pairs of crossing edges reported
 
 std::string place(Vec2 p) {
   return "(" + in_cm(p.x) + ", " + in_cm(p.y) + ")";
@@ -92,10 +91,11 @@ std::size_t edge_at(const std::vector<DraftEdge>& edges, double s) {
 }
 
 bool crosses_itself(const std::string& owner, const std::vector<DraftEdge>& edges, Findings& findings) {
-  std::set<std::pair<std::size_t, std::size_t>> reported;
+  std::set<std::size_t> reported;  // one edge gone astray may cross many
   for (const Crossing& crossing : self_crossings(loop_of(edges))) {
     const std::size_t i = edge_at(edges, crossing.s_first), j = edge_at(edges, crossing.s_second);
-    if (reported.size() >= kMostPairs || !reported.insert({i, j}).second) continue;
+    if (reported.contains(i) || reported.contains(j)) continue;
+    reported.insert({i, j});
     const std::string where = place(crossing.point);
     if (i == j) {
       findings.error("E0302", fmt::format("edge {} of {} crosses itself at {}", quoted(edges[i].name), owner, where),

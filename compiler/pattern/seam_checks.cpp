@@ -75,6 +75,11 @@ double allowed_difference(const DraftSeam& draft, double longer) {
   return draft.fullness == Seam::Fullness::Gather ? longer : kBareEase * longer;
 }
 
+// Whether there is anything of a stated difference, which is the most that there may be.
+bool keeps_word(const DraftSeam& draft, double difference) {
+  return !draft.stated || difference > 0.1 * *draft.stated - kSeamTolerance;
+}
+
 std::vector<Label> length_labels(const DraftSeam& draft, double first, double second) {
   const auto text = [](const std::vector<DraftEdgeRef>& side, double length) {
     return in_cm(length) + (side.size() > 1 ? " long together" : " long");
@@ -137,13 +142,16 @@ void report_lengths(const DraftGarment& garment, const DraftSeam& draft, double 
                                script_cm(difference), first < second ? one : other, in_cm(difference)));
     return;
   }
+  const bool more = keeps_word(draft, difference);
   const std::string stated = draft.stated ? in_cm(*draft.stated) : "10 % of the longer one";
-  findings.error("E0316",
-                 fmt::format("seam lengths differ by {}, more than the {} of {}: {} is {} long, {} is {}",
-                             in_cm(difference), word(draft.fullness), stated, one, in_cm(first), other, in_cm(second)),
-                 std::move(labels),
-                 fmt::format("write `{} {}`, or make {} longer", word(draft.fullness), script_cm(difference),
-                             first < second ? one : other));
+  findings.error(
+      "E0316",
+      fmt::format("seam lengths differ by {}, {} than the {} of {}: {} is {} long, {} is {}", in_cm(difference),
+                  more ? "more" : "less", word(draft.fullness), stated, one, in_cm(first), other, in_cm(second)),
+      std::move(labels),
+      !more && difference < tolerance ? fmt::format("leave `{}` out, or make one of them longer", word(draft.fullness))
+                                      : fmt::format("write `{} {}`, or make {} longer", word(draft.fullness),
+                                                    script_cm(difference), (first < second) == more ? one : other));
 }
 
 }  // namespace
@@ -194,7 +202,9 @@ void check_lengths(const DraftGarment& draft, const std::vector<std::vector<Seam
     for (const Seam& seam : seams[i]) {
       if (in_a_chart(seam.first) || in_a_chart(seam.second)) continue;  // lengths come out of the development
       const double first = length(pieces, seam.first), second = length(pieces, seam.second);
-      if (std::abs(first - second) <= allowed_difference(draft.seams[i], std::max(first, second))) continue;
+      const double difference = std::abs(first - second);
+      const bool within = difference <= allowed_difference(draft.seams[i], std::max(first, second));
+      if (within && keeps_word(draft.seams[i], difference)) continue;
       report_lengths(draft, draft.seams[i], first, second, findings);
       break;
     }

@@ -3,6 +3,7 @@
 
 #include <array>
 
+#include "compiler/smesh/cells.hpp"
 #include "runtime/driver/choice.hpp"
 #include "runtime/driver/run.hpp"
 #include "runtime/export/export.hpp"
@@ -39,19 +40,31 @@ std::optional<std::string> emit_stage(Workroom& workroom, Stage stage, const std
   return stage == Stage::PMesh ? emit(made->mesh.p, made->garment) : emit(made->mesh.s, made->garment);
 }
 
+namespace {
+
+/// A garment that is drawn on a body has to lie on it, which only its meshes tell.
+bool lies_on_its_body(Workroom& workroom, int number) {
+  const Garment& garment = workroom.program().garments()[static_cast<std::size_t>(number)];
+  if (garment.drawn_on.empty()) return true;
+  const std::shared_ptr<const MadeGarment> made = workroom.make(number);
+  if (!made) return false;
+  const auto body = workroom.body_called(garment.drawn_on, garment.written);
+  return !body || workroom.target(*made, *body);
+}
+
+}  // namespace
+
 void check_meshes(Workroom& workroom) {
-  for (const int garment : workroom.program().own_garments()) {
-    const std::shared_ptr<const MadeGarment> made = workroom.make(garment);
-    if (!made) return;
-    if (const auto body = workroom.body_called(made->garment.drawn_on, made->garment.written)) {
-      if (!workroom.target(*made, *body)) continue;
-    }
-    const Topology& topology = made->mesh.s.topology;
-    workroom.listener().noted(fmt::format(
-        "{}: {}, {}; sewn: components {}, boundary loops {}, Euler characteristic {}, {}{}", made->garment.name,
-        counted(made->garment.pieces.size(), "piece"), counted(made->garment.seams.size(), "seam"), topology.components,
-        topology.boundary_loops, topology.euler, topology.orientable ? "orientable" : "not orientable",
-        topology.manifold ? "" : ", not a manifold"));
+  for (const int number : workroom.program().own_garments()) {
+    if (!lies_on_its_body(workroom, number)) continue;
+    if (workroom.interrupted()) return;
+    const Garment& garment = workroom.program().garments()[static_cast<std::size_t>(number)];
+    const Topology topology = sewn_topology(garment);
+    workroom.listener().noted(
+        fmt::format("{}: {}, {}; sewn: components {}, boundary loops {}, Euler characteristic {}, {}{}", garment.name,
+                    counted(garment.pieces.size(), "piece"), counted(garment.seams.size(), "seam"), topology.components,
+                    topology.boundary_loops, topology.euler, topology.orientable ? "orientable" : "not orientable",
+                    topology.manifold ? "" : ", not a manifold"));
   }
 }
 

@@ -14,11 +14,12 @@ namespace {
 constexpr double kProportion = 1.4;  // width of the sheet to its height, roughly
 constexpr int kGrid = 40;            // places looked at each way
 
-double distance_to(Vec2 p, Vec2 from, Vec2 to) {
+double square_to(Vec2 p, Vec2 from, Vec2 to) {
   const Vec2 along = to - from;
   const double square = dot(along, along);
   const double t = square > 0 ? std::clamp(dot(p - from, along) / square, 0.0, 1.0) : 0;
-  return distance(p, from + t * along);
+  const Vec2 off = p - from - t * along;
+  return dot(off, off);
 }
 
 // The straight bits that a writing must keep clear of.
@@ -101,22 +102,25 @@ Spot free_spot(const Piece& piece, const std::vector<Spot>& taken) {
   Box box;
   for (const LineSegment& line : lines) box.add(line.from);
 
-  const auto clearance = [&](Vec2 p) {
-    if (!outline.contains(p)) return 0.0;
-    for (const Region& hole : holes) {
-      if (hole.contains(p)) return 0.0;
+  // What has no more room than `least` need not be measured to the end; whether a place is inside is asked last.
+  const auto clearance = [&](Vec2 p, double least) {
+    double nearest = 1e150;
+    for (const LineSegment& line : lines) {
+      nearest = std::min(nearest, square_to(p, line.from, line.to));
+      if (nearest <= least * least) return 0.0;
     }
-    double nearest = 1e300;
-    for (const LineSegment& line : lines) nearest = std::min(nearest, distance_to(p, line.from, line.to));
+    nearest = std::sqrt(nearest);
     for (const Spot& spot : taken) nearest = std::min(nearest, distance(p, spot.at) - 0.5 * spot.clearance);
-    return nearest;
+    if (nearest <= least || !outline.contains(p)) return 0.0;
+    const bool in_hole = std::any_of(holes.begin(), holes.end(), [&](const Region& hole) { return hole.contains(p); });
+    return in_hole ? 0.0 : nearest;
   };
   Spot best{0.5 * (box.low + box.high), 0};
   for (int i = 1; i < kGrid; ++i) {
     for (int j = 1; j < kGrid; ++j) {
       const Vec2 p{box.low.x + box.width() * i / kGrid, box.low.y + box.height() * j / kGrid};
-      const double room = clearance(p);
-      if (room > best.clearance + 1e-6) best = {p, room};
+      const double room = clearance(p, best.clearance + 1e-6);
+      if (room > 0) best = {p, room};
     }
   }
   return best;

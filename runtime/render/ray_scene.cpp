@@ -5,22 +5,54 @@
 #include <cstddef>
 #include <limits>
 
+#include "runtime/library/late_library.hpp"
+
 namespace toile {
+namespace {
+
+/// The functions of Embree that are called here.
+struct EmbreeFunctions {
+  LateLibrary library{TOILE_EMBREE};
+  decltype(rtcNewDevice)* new_device = library.function<decltype(rtcNewDevice)>("rtcNewDevice");
+  decltype(rtcReleaseDevice)* release_device = library.function<decltype(rtcReleaseDevice)>("rtcReleaseDevice");
+  decltype(rtcNewScene)* new_scene = library.function<decltype(rtcNewScene)>("rtcNewScene");
+  decltype(rtcReleaseScene)* release_scene = library.function<decltype(rtcReleaseScene)>("rtcReleaseScene");
+  decltype(rtcSetSceneFlags)* set_scene_flags = library.function<decltype(rtcSetSceneFlags)>("rtcSetSceneFlags");
+  decltype(rtcSetSceneBuildQuality)* set_scene_build_quality =
+      library.function<decltype(rtcSetSceneBuildQuality)>("rtcSetSceneBuildQuality");
+  decltype(rtcCommitScene)* commit_scene = library.function<decltype(rtcCommitScene)>("rtcCommitScene");
+  decltype(rtcNewGeometry)* new_geometry = library.function<decltype(rtcNewGeometry)>("rtcNewGeometry");
+  decltype(rtcReleaseGeometry)* release_geometry = library.function<decltype(rtcReleaseGeometry)>("rtcReleaseGeometry");
+  decltype(rtcSetNewGeometryBuffer)* set_new_geometry_buffer =
+      library.function<decltype(rtcSetNewGeometryBuffer)>("rtcSetNewGeometryBuffer");
+  decltype(rtcCommitGeometry)* commit_geometry = library.function<decltype(rtcCommitGeometry)>("rtcCommitGeometry");
+  decltype(rtcAttachGeometryByID)* attach_geometry_by_id =
+      library.function<decltype(rtcAttachGeometryByID)>("rtcAttachGeometryByID");
+  decltype(rtcIntersect1)* intersect = library.function<decltype(rtcIntersect1)>("rtcIntersect1");
+  decltype(rtcOccluded1)* occluded = library.function<decltype(rtcOccluded1)>("rtcOccluded1");
+};
+
+const EmbreeFunctions& embree() {
+  static const EmbreeFunctions opened;
+  return opened;
+}
+
+}  // namespace
 
 struct RayScene::Embree {
   // One thread builds: the tree, and with it which of two triangles a ray on their common edge meets, must not depend
   // on how many cores there are.
-  RTCDevice device = rtcNewDevice("threads=1");
-  RTCScene scene = rtcNewScene(device);
+  RTCDevice device = embree().new_device("threads=1");
+  RTCScene scene = embree().new_scene(device);
   int meshes = 0;
 
   Embree() {
-    rtcSetSceneFlags(scene, RTC_SCENE_FLAG_ROBUST);
-    rtcSetSceneBuildQuality(scene, RTC_BUILD_QUALITY_MEDIUM);
+    embree().set_scene_flags(scene, RTC_SCENE_FLAG_ROBUST);
+    embree().set_scene_build_quality(scene, RTC_BUILD_QUALITY_MEDIUM);
   }
   ~Embree() {
-    rtcReleaseScene(scene);
-    rtcReleaseDevice(device);
+    embree().release_scene(scene);
+    embree().release_device(device);
   }
   Embree(const Embree&) = delete;
   Embree& operator=(const Embree&) = delete;
@@ -50,27 +82,27 @@ RayScene::~RayScene() = default;
 int RayScene::add(const std::vector<Vec3>& points, const std::vector<std::array<int, 3>>& triangles) {
   const int number = embree_->meshes++;
   if (points.empty() || triangles.empty()) return number;
-  RTCGeometry geometry = rtcNewGeometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
-  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3,
-                                                               3 * sizeof(float), points.size()));
+  RTCGeometry geometry = embree().new_geometry(embree_->device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(embree().set_new_geometry_buffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), points.size()));
   for (const Vec3& p : points) {
     *vertices++ = static_cast<float>(p.x);
     *vertices++ = static_cast<float>(p.y);
     *vertices++ = static_cast<float>(p.z);
   }
-  auto* indices = static_cast<unsigned*>(rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3,
-                                                                 3 * sizeof(unsigned), triangles.size()));
+  auto* indices = static_cast<unsigned*>(embree().set_new_geometry_buffer(
+      geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(unsigned), triangles.size()));
   for (const auto& triangle : triangles) {
     for (const int corner : triangle) *indices++ = static_cast<unsigned>(corner);
   }
-  rtcCommitGeometry(geometry);
-  rtcAttachGeometryByID(embree_->scene, geometry, static_cast<unsigned>(number));
-  rtcReleaseGeometry(geometry);
+  embree().commit_geometry(geometry);
+  embree().attach_geometry_by_id(embree_->scene, geometry, static_cast<unsigned>(number));
+  embree().release_geometry(geometry);
   return number;
 }
 
 void RayScene::commit() {
-  rtcCommitScene(embree_->scene);
+  embree().commit_scene(embree_->scene);
 }
 
 std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
@@ -79,7 +111,7 @@ std::optional<RayHit> RayScene::nearest(const Ray& ray) const {
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcIntersect1(embree_->scene, &context, &query);
+  embree().intersect(embree_->scene, &context, &query);
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return std::nullopt;
   return RayHit{static_cast<int>(query.hit.geomID), static_cast<int>(query.hit.primID), query.hit.u, query.hit.v,
                 query.ray.tfar};
@@ -89,7 +121,7 @@ bool RayScene::is_blocked(const Ray& ray) const {
   RTCRay query = embree_ray(ray);
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  rtcOccluded1(embree_->scene, &context, &query);
+  embree().occluded(embree_->scene, &context, &query);
   return query.tfar < 0;
 }
 

@@ -2,12 +2,32 @@
 
 #include <mutex>
 
+#include "runtime/library/late_library.hpp"
 #include "runtime/solve/sparse.hpp"
 
-// From OpenMP's runtime, whose header clang does not bring.
-extern "C" void omp_set_max_active_levels(int levels);
-
 namespace toile {
+namespace {
+
+/// The functions of CHOLMOD that are called here.
+struct Cholmod {
+  LateLibrary library{TOILE_CHOLMOD};
+  decltype(cholmod_start)* start = library.function<decltype(cholmod_start)>("cholmod_start");
+  decltype(cholmod_finish)* finish = library.function<decltype(cholmod_finish)>("cholmod_finish");
+  decltype(cholmod_analyze)* analyze = library.function<decltype(cholmod_analyze)>("cholmod_analyze");
+  decltype(cholmod_factorize)* factorize = library.function<decltype(cholmod_factorize)>("cholmod_factorize");
+  decltype(cholmod_solve)* solve = library.function<decltype(cholmod_solve)>("cholmod_solve");
+  decltype(cholmod_free_factor)* free_factor = library.function<decltype(cholmod_free_factor)>("cholmod_free_factor");
+  decltype(cholmod_free_dense)* free_dense = library.function<decltype(cholmod_free_dense)>("cholmod_free_dense");
+  /// Of OpenMP's runtime, which comes with it and whose header clang does not bring.
+  void (*set_max_active_levels)(int) = library.function<void(int)>("omp_set_max_active_levels");
+};
+
+const Cholmod& cholmod() {
+  static const Cholmod opened;
+  return opened;
+}
+
+}  // namespace
 
 struct Cholesky::Handle {
   cholmod_common common{};
@@ -15,8 +35,8 @@ struct Cholesky::Handle {
 
   Handle() {
     // CHOLMOD's own threads wait for each other by spinning, which costs more than they bring at the sizes of garments.
-    omp_set_max_active_levels(0);
-    cholmod_start(&common);
+    cholmod().set_max_active_levels(0);
+    cholmod().start(&common);
     common.print = 0;
     common.quick_return_if_not_posdef = 1;
     common.supernodal = CHOLMOD_SUPERNODAL;
@@ -26,8 +46,8 @@ struct Cholesky::Handle {
     common.postorder = 1;
   }
   ~Handle() {
-    cholmod_free_factor(&factor, &common);
-    cholmod_finish(&common);
+    cholmod().free_factor(&factor, &common);
+    cholmod().finish(&common);
   }
 };
 
@@ -65,18 +85,18 @@ Cholesky::~Cholesky() = default;
 std::vector<int> Cholesky::good_order(const SparseMatrix& matrix) const {
   cholmod_sparse a = view(matrix);
   const std::lock_guard<std::mutex> alone(one_at_a_time());
-  cholmod_factor* factor = cholmod_analyze(&a, &handle_->common);
+  cholmod_factor* factor = cholmod().analyze(&a, &handle_->common);
   const int* order = static_cast<const int*>(factor->Perm);
   std::vector<int> rows(order, order + matrix.rows());
-  cholmod_free_factor(&factor, &handle_->common);
+  cholmod().free_factor(&factor, &handle_->common);
   return rows;
 }
 
 void Cholesky::analyse(const SparseMatrix& matrix) {
   cholmod_sparse a = view(matrix);
-  cholmod_free_factor(&handle_->factor, &handle_->common);
+  cholmod().free_factor(&handle_->factor, &handle_->common);
   const std::lock_guard<std::mutex> alone(one_at_a_time());
-  handle_->factor = cholmod_analyze(&a, &handle_->common);
+  handle_->factor = cholmod().analyze(&a, &handle_->common);
 }
 
 void Cholesky::analyse_in_order(const SparseMatrix& matrix) {
@@ -98,7 +118,7 @@ bool Cholesky::factorise(const SparseMatrix& matrix) {
   cholmod_sparse a = view(matrix);
   ++factorisations_;
   const std::lock_guard<std::mutex> alone(one_at_a_time());
-  cholmod_factorize(&a, handle_->factor, &handle_->common);
+  cholmod().factorize(&a, handle_->factor, &handle_->common);
   return handle_->common.status == CHOLMOD_OK && handle_->factor->minor == handle_->factor->n;
 }
 
@@ -110,10 +130,10 @@ Vector Cholesky::solve(const Vector& right) const {
   b.xtype = CHOLMOD_REAL;
   b.dtype = CHOLMOD_DOUBLE;
   const std::lock_guard<std::mutex> alone(one_at_a_time());
-  cholmod_dense* x = cholmod_solve(CHOLMOD_A, handle_->factor, &b, &handle_->common);
+  cholmod_dense* x = cholmod().solve(CHOLMOD_A, handle_->factor, &b, &handle_->common);
   if (x == nullptr) return Vector::Zero(right.size());
   Vector solution = Eigen::Map<const Vector>(static_cast<double*>(x->x), right.size());
-  cholmod_free_dense(&x, &handle_->common);
+  cholmod().free_dense(&x, &handle_->common);
   return solution;
 }
 

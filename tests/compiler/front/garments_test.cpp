@@ -245,7 +245,7 @@ TEST(Pieces, SayNothingTwice) {
 
 TEST(Notches, WithANameArePlacesOfASeam) {
   const Script script(with_piece(square + "    notch low at 2cm of east\n    notch high at 80% of east\n",
-                                 "  sew p.east to p.west ease 1cm in p.low..p.high\n"));
+                                 "  sew p.east to p.west in 0cm..9cm ease 1cm in p.low..p.high\n"));
   EXPECT_THAT(script.told(), IsEmpty()) << script.rendered();
   const Script off(
       with_piece(square + "    notch low at 2cm of north\n", "  sew p.east to p.west ease 1cm in p.low..9cm\n"));

@@ -10,6 +10,7 @@
 #include <set>
 #include <vector>
 
+#include "compiler/smesh/cells.hpp"
 #include "compiler/smesh/smesh.hpp"
 #include "tests/compiler/mesh/garments.hpp"
 
@@ -165,6 +166,16 @@ inline void expect_consistent(const SewnMesh& mesh) {
     EXPECT_TRUE(std::is_sorted(s.p_of_s[v].begin(), s.p_of_s[v].end()));
     for (const int p : s.p_of_s[v]) EXPECT_EQ(s.s_of_p[p], v);
   }
+}
+
+/// The cells of a garment tell what its meshes do.
+inline void expect_cells_agree(const Garment& garment, const SewnMesh& mesh) {
+  const Topology cells = sewn_topology(garment), &meshed = mesh.s.topology;
+  EXPECT_EQ(cells.components, meshed.components);
+  EXPECT_EQ(cells.boundary_loops, meshed.boundary_loops);
+  EXPECT_EQ(cells.euler, meshed.euler);
+  EXPECT_EQ(cells.orientable, meshed.orientable);
+  EXPECT_EQ(cells.manifold, meshed.manifold);
 }
 
 /// Arc lengths of a chain's nodes as fractions of the whole chain, in its direction.

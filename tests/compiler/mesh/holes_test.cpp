@@ -20,6 +20,7 @@ TEST(Holes, AreDividedLikeWhatIsSewnToThem) {
   sew_chains(g, {along(1, 1)}, {against(1, 3)});
   sew_chains(g, {along(1, 0)}, {against(0, 4)});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_sound(mesh.p, g);
   expect_equal_fractions(mesh.p, g);
   expect_strict(mesh);
@@ -33,6 +34,7 @@ TEST(Holes, OfTwoPiecesAreSewnToEachOther) {
   Garment g = garment("cuff", {holed(0.1), holed(0.08)});
   sew_chains(g, {along(0, 4)}, {against(1, 4)});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_equal_fractions(mesh.p, g);
   expect_strict(mesh);
   EXPECT_EQ(mesh.s.topology.boundary_loops, 2);
@@ -43,6 +45,7 @@ TEST(Holes, AreWornAsClosedLines) {
   Garment g = garment("poncho", {holed(0.1)});
   g.wears.push_back({{along(0, 4)}, "neck", true, 0, {}});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   ASSERT_EQ(mesh.p.edge_nodes[0].size(), 5u);
   ASSERT_EQ(mesh.s.worn.size(), 1u);
   const SMesh::WornLine& worn = mesh.s.worn[0];

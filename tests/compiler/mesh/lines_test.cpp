@@ -46,6 +46,7 @@ TEST(Lines, CarryAPocketOfWhichTheSheetBelowBendsAsOneCloth) {
   const Garment g = pocket();
   for (const double edge : {0.04, 0.015, 0.006}) {
     const SewnMesh mesh = sew(g, {.target_edge = edge});
+    expect_cells_agree(g, mesh);
     expect_sound(mesh.p, g);
     expect_equal_fractions(mesh.p, g);
     expect_strict(mesh);
@@ -77,6 +78,7 @@ TEST(Lines, HaveTrianglesAsGoodAsElsewhere) {
 TEST(Lines, SewnToEachOtherRunOnOverATuck) {
   const Garment g = tuck();
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_strict(mesh);
   EXPECT_EQ(mesh.s.topology.components, 1);
   EXPECT_GT(edges_with(mesh.s, 4), 10);
@@ -103,6 +105,7 @@ TEST(Lines, OfTwoPiecesQuiltThem) {
   }
   sew_chains(g, {along(0, 4)}, {along(1, 4)});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_strict(mesh);
   for (const SMesh::Edge& e : mesh.s.edges) {
     if (e.wings.size() != 4) continue;

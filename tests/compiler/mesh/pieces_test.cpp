@@ -107,6 +107,7 @@ TEST(Pieces, LeaveHolesOpen) {
        edge("slot", line({0.28, 0.025}, {0.28, 0.02})), edge("slot", line({0.28, 0.02}, {0.02, 0.02}))});
   const Garment g = garment("holed", {holed});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_sound(mesh.p, g);
   EXPECT_NEAR(area(mesh.p), 0.09 - pi * 0.0025 - 0.26 * 0.005, 2 * pi * 0.05 * 0.0002);
   EXPECT_EQ(mesh.s.topology.boundary_loops, 3);

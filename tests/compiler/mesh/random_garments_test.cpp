@@ -70,6 +70,7 @@ TEST(RandomGarments, AreMeshedStrictlyWhateverIsSewn) {
     PMeshOptions options;
     options.target_edge = seed % 3 == 0 ? 0.2 : 0.03;
     const SewnMesh mesh = sew(g, options);
+    expect_cells_agree(g, mesh);
     expect_sound(mesh.p, g);
     expect_strict(mesh);
     expect_consistent(mesh);

@@ -23,6 +23,7 @@ TEST(Seams, GiveEveryCornerItsNodeOnTheOtherSide) {
                                rectangle("right", 0.07, 0.2), rectangle("yoke", 0.55, 0.1)});
   sew_chains(g, {along(0, 2), along(1, 2), along(2, 2)}, {against(3, 0)});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_equal_fractions(mesh.p, g);
   expect_strict(mesh);
   const auto at = fractions(mesh.p, g.seams[0].second);
@@ -40,6 +41,7 @@ TEST(Seams, CarryCornersFromPieceToPiece) {
   sew_chains(g, {along(0, 0), along(1, 0)}, {against(2, 0)});
   sew_chains(g, {along(3, 0)}, {along(2, 0)});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_equal_fractions(mesh.p, g);
   expect_strict(mesh);
 }
@@ -51,6 +53,7 @@ TEST(Seams, LetCornersMeetThatAreMeantTo) {
   sew_chains(g, {along(0, 0), along(1, 0)}, {against(3, 0), against(2, 0)});
   std::swap(g.seams[0].second[0], g.seams[0].second[1]);
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   expect_strict(mesh);
   const auto& nodes = mesh.p.edge_nodes[0][0];
   EXPECT_EQ(nodes.points.size(), mesh.p.edge_nodes[2][0].points.size());
@@ -81,6 +84,7 @@ TEST(Seams, AreAllThatAPiecesMeshDependsOn) {
 TEST(Seams, GiveTheSameBytesTwice) {
   const Garment g = flared_skirt();
   const SewnMesh a = sew(g, {}), b = sew(g, {});
+  expect_cells_agree(g, a);
   EXPECT_EQ(emit(a.p, g), emit(b.p, g));
   EXPECT_EQ(emit(a.s, g), emit(b.s, g));
   EXPECT_EQ(emit(a.p, g).find("-0.0000"), std::string::npos);
@@ -101,6 +105,7 @@ TEST(Seams, ComeNearTheNumberOfTrianglesAskedFor) {
 TEST(WornLines, RunRoundTheWaistPastTheDarts) {
   const Garment g = flared_skirt();
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   ASSERT_EQ(mesh.s.worn.size(), 1U);
   const auto& line = mesh.s.worn[0];
   EXPECT_TRUE(line.closed);
@@ -128,6 +133,7 @@ TEST(WornLines, ThatDoNotCloseStayOpen) {
   g.wears.push_back({{along(0, 2)}, "neck", true, 0, {}});
   g.wears.push_back({{against(0, 3)}, "cord", false, 0, {}});
   const SewnMesh mesh = sew(g, {});
+  expect_cells_agree(g, mesh);
   EXPECT_TRUE(mesh.s.worn[0].closed);
   EXPECT_FALSE(mesh.s.worn[1].closed);
   EXPECT_NEAR(mesh.s.worn[1].length, 0.3, 1e-12);

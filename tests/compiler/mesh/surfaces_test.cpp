@@ -60,6 +60,7 @@ TEST(Surfaces, HaveTheirTopologyAtAnyFineness) {
       PMeshOptions options;
       options.target_edge = edge;
       const SewnMesh mesh = sew(surface.garment, options);
+      expect_cells_agree(surface.garment, mesh);
       expect_sound(mesh.p, surface.garment);
       expect_strict(mesh);
       expect_consistent(mesh);
@@ -78,9 +79,11 @@ TEST(Surfaces, HaveTheirTopologyAtAnyFineness) {
 TEST(Surfaces, AreTheSameInAnyOrderOfSewing) {
   Garment g = flared_skirt();
   const SewnMesh one = sew(g, {});
+  expect_cells_agree(g, one);
   std::reverse(g.seams.begin(), g.seams.end());
   for (Seam& seam : g.seams) std::swap(seam.first, seam.second);
   const SewnMesh other = sew(g, {});
+  expect_cells_agree(g, other);
   EXPECT_EQ(one.s.triangles, other.s.triangles);
   EXPECT_EQ(one.s.s_of_p, other.s.s_of_p);
   EXPECT_EQ(one.p.points, other.p.points);
@@ -91,6 +94,7 @@ TEST(Surfaces, CarryThreeSheetsAtATSeam) {
   PMeshOptions options;
   options.target_edge = 0.03;
   const SewnMesh mesh = sew(g, options);
+  expect_cells_agree(g, mesh);
   expect_strict(mesh);
   expect_consistent(mesh);
   EXPECT_FALSE(mesh.s.topology.manifold);
