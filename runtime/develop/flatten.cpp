@@ -2,6 +2,8 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
+#include <utility>
 
 #include "runtime/develop/coarse_start.hpp"
 #include "runtime/develop/flattening.hpp"
@@ -14,10 +16,13 @@
 namespace toile {
 namespace {
 
-constexpr int most_halvings = 40;    // of a step that does not lower the energy
-constexpr double first_match = 10;   // stiffness of a match over that of a strip of cloth as wide as the pattern
-constexpr int most_stiffenings = 6;  // tenfold each
-constexpr double near_rest = 1e-2;   // relative residual below which the true Hessian is tried first
+constexpr int most_halvings = 40;   // of a step that does not lower the energy
+constexpr double first_match = 10;  // stiffness of a match over that of a strip of cloth as wide as the pattern
+constexpr int most_aims = 12;       // at the lengths of sides that must match
+constexpr double aimed = 0.25;      // of what they missed, that an aim has to leave less than; else they are stiffened
+constexpr double fair_rest = 1e-3;  // relative residual at which they are aimed at anew
+constexpr double near_rest = 1e-2;  // relative residual below which the true Hessian is tried first
+constexpr double good_fall = 0.1;   // of the residual, after which the factor at hand serves once more
 
 constexpr double least_share_of_grain = 0.7;  // of a piece's extent along the warp that its grain line spans
 
@@ -32,14 +37,13 @@ TargetTriangle target_of(const FlatteningInput& input, std::size_t t) {
   return target_triangle({corner(0), corner(1), corner(2)}).value_or(speck());
 }
 
-double largest_mismatch(const FlatteningInput& input, const std::vector<Vec2>& uv) {
+template <class Place>
+double largest_mismatch(const FlatteningInput& input, const Place& place) {
   std::vector<double> sums;
   for (const LengthMatch& match : input.matches) {
     if (index(match.seam) >= sums.size()) sums.resize(index(match.seam) + 1, 0.0);
-    const auto place = [&](int point) { return uv[index(point)]; };
-    sums[index(match.seam)] +=
-        mismatch(match, {place(match.first[0]), place(match.first[1]), place(match.second[0]), place(match.second[1])})
-            .value;
+    const std::array<int, 4> p = points_of(match);
+    sums[index(match.seam)] += mismatch(match, {place(p[0]), place(p[1]), place(p[2]), place(p[3])}).value;
   }
   double largest = 0;
   for (const double sum : sums) largest = std::max(largest, std::abs(sum));
@@ -70,17 +74,13 @@ class Flattening {
     const double count = std::max<double>(1, static_cast<double>(targets_.size()));
     force_scale_ = stiffness_ * std::sqrt(4 / std::sqrt(3.0) * area / count);
     match_stiffness_ = first_match * stiffness_ * std::sqrt(area);
+    aims_.assign(input.matches.size(), 0.0);
     cholesky_.join_more_columns();
     cholesky_.analyse_in_order(matrix_);
   }
 
   Flattened run(const Job& job) {
-    for (int round = 0;; ++round) {
-      minimise(job);
-      if (cancelled_ || largest_mismatch(input_, places()) <= options_.length_tolerance || round == most_stiffenings)
-        break;
-      match_stiffness_ *= 10;
-    }
+    minimise(job);
     return result();
   }
 
@@ -90,9 +90,14 @@ class Flattening {
     const std::array<int, 3>& triangle = input_.triangles[t];
     return {at(q, triangle[0]), at(q, triangle[1]), at(q, triangle[2])};
   }
-  Mismatch mismatch_of(const LengthMatch& match, const Vector& q) const {
-    return mismatch(match,
-                    {at(q, match.first[0]), at(q, match.first[1]), at(q, match.second[0]), at(q, match.second[1])});
+  Mismatch mismatch_of(std::size_t match, const Vector& q) const {
+    const std::array<int, 4> p = points_of(input_.matches[match]);
+    Mismatch found = mismatch(input_.matches[match], {at(q, p[0]), at(q, p[1]), at(q, p[2]), at(q, p[3])});
+    found.value -= aims_[match];
+    return found;
+  }
+  double largest_mismatch_now() const {
+    return largest_mismatch(input_, [&](int point) { return at(q_, point); });
   }
 
   double energy(const Vector& q, Vector* gradient) const;
@@ -101,6 +106,8 @@ class Flattening {
   bool factorise(double residual);
   double longest_step(const Vector& step) const;
   double residual_force(const Vector& gradient) const;
+  Vector newton_step(const Vector& gradient) const;
+  bool aim_anew();
   void minimise(const Job& job);
   std::vector<Vec2> places() const {
     std::vector<Vec2> all;
@@ -118,6 +125,10 @@ class Flattening {
   std::vector<std::vector<std::int32_t>> triangle_places_, match_places_;
   Vector q_;
   double stiffness_ = 0, force_scale_ = 0, match_stiffness_ = 0;
+  std::vector<double>
+      aims_;  // [m] of each match: how much its spring wants it longer, so that with the load it is right
+  double missed_ = std::numeric_limits<double>::infinity();  // [m] the largest mismatch when it was aimed last
+  int aims_taken_ = 0;
   double residual_ = 0;  // [N]
   int iterations_ = 0;
   bool converged_ = false, cancelled_ = false;
@@ -143,14 +154,15 @@ double Flattening::energy(const Vector& q, Vector* gradient) const {
       }
     }
   }
-  for (const LengthMatch& match : input_.matches) {
-    const Mismatch m = mismatch_of(match, q);
+  for (std::size_t i = 0; i < input_.matches.size(); ++i) {
+    const LengthMatch& match = input_.matches[i];
+    const Mismatch m = mismatch_of(i, q);
     const double k = match_stiffness_ / match.length;
     sum += 0.5 * k * m.value * m.value;
     if (gradient == nullptr) continue;
     const std::array<int, 4> points = points_of(match);
-    for (int i = 0; i < 4; ++i) {
-      gradient->segment<2>(2 * points[static_cast<std::size_t>(i)]) += k * m.value * m.gradient.segment<2>(2 * i);
+    for (int end = 0; end < 4; ++end) {
+      gradient->segment<2>(2 * points[index(end)]) += k * m.value * m.gradient.segment<2>(2 * end);
     }
   }
   if (gradient != nullptr) {
@@ -164,7 +176,7 @@ double Flattening::energy(const Vector& q, Vector* gradient) const {
 void Flattening::add_matches(Curvature curvature) {
   for (std::size_t m = 0; m < input_.matches.size(); ++m) {
     const LengthMatch& match = input_.matches[m];
-    const Mismatch found = mismatch_of(match, q_);
+    const Mismatch found = mismatch_of(m, q_);
     Matrix8 hessian = found.gradient * found.gradient.transpose();
     if (curvature == Curvature::Full) hessian += found.value * found.hessian;
     hessian *= match_stiffness_ / match.length;
@@ -219,38 +231,56 @@ double Flattening::residual_force(const Vector& gradient) const {
   return largest;
 }
 
+Vector Flattening::newton_step(const Vector& gradient) const {
+  return cholesky_.solve_free(matrix_, -gradient);
+}
+
+/// Springs hold sides that must match as long as each other but for what they give under load; that is added to what
+/// they hold them to (the method of multipliers). False once they match, or do not.
+bool Flattening::aim_anew() {
+  const double now = largest_mismatch_now();
+  if (now <= options_.length_tolerance || aims_taken_ == most_aims) return false;
+  ++aims_taken_;
+  for (std::size_t m = 0; m < aims_.size(); ++m) aims_[m] = -mismatch_of(m, q_).value;
+  if (now > aimed * missed_) {
+    match_stiffness_ *= 10;
+    for (double& aim : aims_) aim /= 10;
+  }
+  missed_ = now;
+  return true;
+}
+
 void Flattening::minimise(const Job& job) {
-  Vector gradient;
+  const double goal = options_.tolerance * force_scale_;
+  Vector gradient, trial_gradient;
   double now = energy(q_, &gradient);
   const double first = residual_force(gradient);
-  converged_ = false;
+  bool factored = false;
   for (int round = 0; round < options_.max_iterations; ++round, ++iterations_) {
-    residual_ = residual_force(gradient);
-    converged_ = residual_ <= options_.tolerance * force_scale_;
+    double before = std::exchange(residual_, residual_force(gradient));
+    if (residual_ <= std::max(goal, fair_rest * force_scale_) && aim_anew()) {
+      now = energy(q_, &gradient);
+      residual_ = residual_force(gradient);
+      before = std::numeric_limits<double>::infinity();  // what gives way is the same
+    }
+    converged_ = residual_ <= goal;
     cancelled_ = job.is_cancelled();
     if (converged_ || cancelled_) return;
     if (job.report) {
-      const double goal = options_.tolerance * force_scale_;
       const double way = std::log(std::max(first / goal, 1 + 1e-9));
       job.report({"developing", std::clamp(1 - std::log(std::max(residual_ / goal, 1.0)) / way, 0.0, 1.0), iterations_,
                   residual_ / force_scale_});
     }
-    if (!factorise(residual_ / force_scale_)) return;
-    Vector right(matrix_.rows());
-    for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
-      if (matrix_.reduced()[i] >= 0) right[matrix_.reduced()[i]] = -gradient[static_cast<Eigen::Index>(i)];
-    }
-    const Vector solution = cholesky_.solve(right);
-    Vector step = Vector::Zero(q_.size());
-    for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
-      if (matrix_.reduced()[i] >= 0) step[static_cast<Eigen::Index>(i)] = solution[matrix_.reduced()[i]];
-    }
+    factored = factored && residual_ < good_fall * before;
+    const bool fresh = !factored;
+    if (fresh && !factorise(residual_ / force_scale_)) return;
+    factored = true;
+    const Vector step = newton_step(gradient);
     const double slope = gradient.dot(step);
     if (!(slope < 0)) return;
     const double noise = 1e-14 * std::abs(now);
     double fraction = longest_step(step);
     bool lowered = false;
-    Vector trial_gradient;
     for (int halving = 0; halving < most_halvings && !lowered; ++halving, fraction *= 0.5) {
       const Vector trial = q_ + fraction * step;
       const double then = energy(trial, &trial_gradient);  // nearly always it goes on from there
@@ -260,7 +290,8 @@ void Flattening::minimise(const Job& job) {
       now = then;
       gradient.swap(trial_gradient);
     }
-    if (!lowered) return;
+    if (!lowered && fresh) return;
+    if (!lowered) factored = false;
   }
 }
 
@@ -317,7 +348,7 @@ Flattened measured(const FlatteningInput& input, const FabricLaw& law, std::vect
     flat.target_area += target.area;
     if (!(turn(corners) > 0)) ++flat.flipped;
   }
-  flat.mismatch = largest_mismatch(input, uv);
+  flat.mismatch = largest_mismatch(input, [&](int point) { return uv[index(point)]; });
   flat.uv = std::move(uv);
   return flat;
 }

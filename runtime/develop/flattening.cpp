@@ -10,6 +10,7 @@ using Matrix2 = Eigen::Matrix2d;
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
+constexpr int most_sweeps = 12;
 constexpr int most_turns = 4;  // of Rayleigh's iteration, which triples the digits each time
 
 double cross(const Vector2& a, const Vector2& b) {
@@ -114,14 +115,45 @@ std::optional<Matrix4> without_turn(const Matrix4& symmetric) {
   return symmetric - value * v * v.transpose();
 }
 
+/// One sweep of Jacobi's rotations; true when there was nothing left to turn.
+bool diagonalise(Matrix4& values, Matrix4& vectors) {
+  const double least = 1e-15 * values.diagonal().cwiseAbs().maxCoeff();
+  bool done = true;
+  for (int p = 0; p < entries; ++p) {
+    for (int q = p + 1; q < entries; ++q) {
+      if (!(std::abs(values(p, q)) > least)) continue;
+      done = false;
+      const double cotangent = (values(q, q) - values(p, p)) / (2 * values(p, q));
+      const double t = std::copysign(1 / (std::abs(cotangent) + std::sqrt(1 + cotangent * cotangent)), cotangent);
+      const double c = 1 / std::sqrt(1 + t * t), s = t * c;
+      for (int k = 0; k < entries; ++k) {
+        const double first = values(k, p), second = values(k, q);
+        values(k, p) = c * first - s * second;
+        values(k, q) = s * first + c * second;
+      }
+      for (int k = 0; k < entries; ++k) {
+        const double first = values(p, k), second = values(q, k);
+        values(p, k) = c * first - s * second;
+        values(q, k) = s * first + c * second;
+        const double of_first = vectors(k, p), of_second = vectors(k, q);
+        vectors(k, p) = c * of_first - s * of_second;
+        vectors(k, q) = s * of_first + c * of_second;
+      }
+    }
+  }
+  return done;
+}
+
 Matrix4 definite_part(const Matrix4& symmetric) {
   if (is_definite(symmetric)) return symmetric;
   if (const auto found = without_turn(symmetric)) return *found;
-  const Spectrum whole = spectrum(symmetric);
+  Matrix4 values = symmetric, vectors = Matrix4::Identity();
+  for (int sweep = 0; sweep < most_sweeps && !diagonalise(values, vectors); ++sweep) {
+  }
   Matrix4 part = Matrix4::Zero();
   for (int k = 0; k < entries; ++k) {
-    const Vector4 v = whole.vectors.col(k);
-    if (whole.values[k] > 0) part += whole.values[k] * v * v.transpose();
+    const Vector4 v = vectors.col(k);
+    if (values(k, k) > 0) part += values(k, k) * v * v.transpose();
   }
   return part;
 }

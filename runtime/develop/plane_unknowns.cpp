@@ -8,6 +8,8 @@
 namespace toile {
 namespace {
 
+constexpr std::size_t worth_dissecting = 20000;  // points of a plane mesh
+
 template <std::size_t N>
 std::vector<int> unknowns_of(const std::array<int, N>& points) {
   std::vector<int> all;
@@ -68,7 +70,9 @@ std::vector<int> well_ordered_plane_unknowns(const FlatteningInput& input) {
     std::sort(ends.begin(), ends.end());
     joined.emplace_back(ends.begin(), std::unique(ends.begin(), ends.end()));
   }
-  return numbered_free(input, Cholesky().good_order(SparseMatrix(points, joined)));
+  Cholesky cholesky;
+  if (points.size() < worth_dissecting) cholesky.order_by_degree();
+  return numbered_free(input, cholesky.good_order(SparseMatrix(points, joined)));
 }
 
 std::vector<std::vector<int>> plane_elements(const FlatteningInput& input) {

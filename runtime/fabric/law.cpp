@@ -54,6 +54,7 @@ ElongationLaw ElongationLaw::from_kes(double emt, double lt) {
   // Across the blend the slope runs straight from compression to tension; what that loses against the curve shifts the
   // rest.
   const Density curve = law.stretched(blend);
+  law.top_ = curve.stiffness;
   const double middle = 0.5 * (law.compression_ + curve.stiffness);
   const double rise = (curve.stiffness - law.compression_) / (2 * blend);
   law.shift_force_ = middle * blend + 0.5 * rise * blend * blend - curve.force;
@@ -80,9 +81,8 @@ Density ElongationLaw::operator()(double strain) const {
     density.force += shift_force_;
     return density;
   }
-  const double top = stretched(blend).stiffness;
-  const double middle = 0.5 * (compression_ + top);
-  const double rise = (top - compression_) / (2 * blend);
+  const double middle = 0.5 * (compression_ + top_);
+  const double rise = (top_ - compression_) / (2 * blend);
   const auto blended = [&](double e) {
     return Density{0.5 * middle * e * e + rise * e * e * e / 6, middle * e + 0.5 * rise * e * e, middle + rise * e};
   };
@@ -111,6 +111,7 @@ ElongationLaw ElongationLaw::softened(double share) const {
   for (double* part : {&soft.initial_, &soft.compression_, &soft.scale_, &soft.shift_force_, &soft.shift_energy_}) {
     *part *= share;
   }
+  soft.top_ = soft.stretched(blend).stiffness;
   return soft;
 }
 

@@ -28,6 +28,7 @@ class ElongationLaw {
   double exponent_ = 0;     // z; 0 for a straight line
   double limit_ = 0;        // em
   double scale_ = 0;        // Fm / (exp(z) - 1)
+  double top_ = 0;          // [N/m] slope at the end of the blend
   double shift_force_ = 0;  // keeps force and energy continuous past the blend about zero
   double shift_energy_ = 0;
 };

@@ -1,6 +1,7 @@
 #include "runtime/solve/sparse.hpp"
 
 #include <algorithm>
+#include <numeric>
 #include <utility>
 
 namespace toile {
@@ -9,17 +10,28 @@ SparseMatrix::SparseMatrix(std::vector<int> reduced, const std::vector<std::vect
     : reduced_(std::move(reduced)) {
   int rows = 0;
   for (const int r : reduced_) rows = std::max(rows, r + 1);
-  std::vector<std::vector<int>> columns(static_cast<std::size_t>(rows));
-  for (int r = 0; r < rows; ++r) columns[static_cast<std::size_t>(r)].push_back(r);
-  for (const std::vector<int>& element : elements) {
-    for (const int i : element) {
-      for (const int j : element) {
-        const int row = reduced_[static_cast<std::size_t>(i)], column = reduced_[static_cast<std::size_t>(j)];
-        if (column >= 0 && row > column) columns[static_cast<std::size_t>(column)].push_back(row);
+  std::vector<int> free;
+  const auto for_each_entry = [&](const auto& enter) {
+    for (int r = 0; r < rows; ++r) enter(r, r);
+    for (const std::vector<int>& element : elements) {
+      free.clear();
+      for (const int i : element) {
+        if (reduced_[static_cast<std::size_t>(i)] >= 0) free.push_back(reduced_[static_cast<std::size_t>(i)]);
+      }
+      for (const int row : free) {
+        for (const int column : free) {
+          if (row > column) enter(row, column);
+        }
       }
     }
-  }
-  fill(columns);
+  };
+  std::vector<std::size_t> start(static_cast<std::size_t>(rows) + 1, 0);
+  for_each_entry([&](int, int column) { ++start[static_cast<std::size_t>(column) + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::size_t> next = start;
+  std::vector<int> entries(start.back());
+  for_each_entry([&](int row, int column) { entries[next[static_cast<std::size_t>(column)]++] = row; });
+  fill(start, entries);
 }
 
 SparseMatrix SparseMatrix::reordered(const std::vector<int>& order) const {
@@ -30,23 +42,32 @@ SparseMatrix SparseMatrix::reordered(const std::vector<int>& order) const {
   for (int& row : matrix.reduced_) {
     if (row >= 0) row = place[static_cast<std::size_t>(row)];
   }
-  std::vector<std::vector<int>> columns(order.size());
-  for (std::size_t column = 0; column < order.size(); ++column) {
-    for (int k = column_start_[column]; k < column_start_[column + 1]; ++k) {
-      const int a = place[column], b = place[static_cast<std::size_t>(row_index_[static_cast<std::size_t>(k)])];
-      columns[static_cast<std::size_t>(std::min(a, b))].push_back(std::max(a, b));
+  const auto for_each_entry = [&](const auto& enter) {
+    for (std::size_t column = 0; column < order.size(); ++column) {
+      for (int k = column_start_[column]; k < column_start_[column + 1]; ++k) {
+        const int a = place[column], b = place[static_cast<std::size_t>(row_index_[static_cast<std::size_t>(k)])];
+        enter(std::max(a, b), static_cast<std::size_t>(std::min(a, b)));
+      }
     }
-  }
-  matrix.fill(columns);
+  };
+  std::vector<std::size_t> start(order.size() + 1, 0);
+  for_each_entry([&](int, std::size_t column) { ++start[column + 1]; });
+  std::partial_sum(start.begin(), start.end(), start.begin());
+  std::vector<std::size_t> next = start;
+  std::vector<int> entries(start.back());
+  for_each_entry([&](int row, std::size_t column) { entries[next[column]++] = row; });
+  matrix.fill(start, entries);
   return matrix;
 }
 
-void SparseMatrix::fill(std::vector<std::vector<int>>& columns) {
+void SparseMatrix::fill(const std::vector<std::size_t>& start, std::vector<int>& rows) {
   column_start_ = {0};
-  for (std::vector<int>& column : columns) {
-    std::sort(column.begin(), column.end());
-    column.erase(std::unique(column.begin(), column.end()), column.end());
-    row_index_.insert(row_index_.end(), column.begin(), column.end());
+  row_index_.clear();
+  for (std::size_t column = 0; column + 1 < start.size(); ++column) {
+    const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(start[column]);
+    const auto end = rows.begin() + static_cast<std::ptrdiff_t>(start[column + 1]);
+    std::sort(begin, end);
+    row_index_.insert(row_index_.end(), begin, std::unique(begin, end));
     column_start_.push_back(static_cast<int>(row_index_.size()));
   }
   values_.assign(row_index_.size(), 0.0);

@@ -13,10 +13,12 @@
 #include <cmath>
 #include <numbers>
 
+#include "compiler/evaluate/program.hpp"
 #include "compiler/pattern/draft.hpp"
 #include "runtime/develop/chart.hpp"
 #include "runtime/develop/flatten.hpp"
 #include "runtime/develop/flattening.hpp"
+#include "runtime/driver/world.hpp"
 #include "tests/support/hemisphere.hpp"
 
 namespace toile {
@@ -75,31 +77,18 @@ FlatteningInput half_ellipsoid(int n) {
   return input;
 }
 
-/// A round patch of the dress form in its cylinder map, the warp down.
-FlatteningInput on_form(Vec2 centre, double radius, int n) {
-  static const std::shared_ptr<const Body> form = [] {
-    BodySpec spec;
-    spec.name = "form";
-    FormSpec shape;  // the trunk of the standard form about bust, waist and hip
-    const auto section = [&](double level, double girth, double ratio, double forward) {
-      BodySection s;
-      s.level = level;
-      s.girth = girth;
-      s.width_to_depth = ratio;
-      s.forward = forward;
-      shape.sections.push_back(s);
-    };
-    section(0.80, 0.94, 1.43, -0.015);
-    section(1.015, 0.68, 1.31, 0);
-    section(1.20, 0.88, 1.20, 0.02);
-    section(1.32, 0.80, 1.75, -0.01);
-    section(1.40, 0.36, 1.10, -0.01);
-    spec.shape = shape;
-    std::string error;
-    return Body::make(spec, &error);
-  }();
-  Disc plane = disc(n);
-  ChartSpec spec;
+/// The dress form of the standard library, with its standard measures.
+std::shared_ptr<const Body> dress_form() {
+  FileWorld world({}, "bench.toile");
+  const auto program = load("bench.toile", "import bodies\nbody form = bodies.dress_form()\n", {}, world);
+  std::string error;
+  return program->ok() ? world.body(program->bodies().front(), error) : nullptr;
+}
+
+/// A round patch of the dress form as a chart shows it, the warp down.
+FlatteningInput on_form(const ChartSpec& spec, Vec2 centre, double radius, double widened, int n) {
+  static const std::shared_ptr<const Body> form = dress_form();
+  const Disc plane = disc(n);
   std::string error;
   const BodyChart chart(*form, spec, error);
   FlatteningInput input;
@@ -107,20 +96,29 @@ FlatteningInput on_form(Vec2 centre, double radius, int n) {
   for (const Vec2 p : plane.points) {
     const Vec2 place = centre + radius * p;
     input.target.push_back(chart.at(place).point);
-    input.start.push_back({-place.y, 1.4 * place.x});
+    input.start.push_back({-place.y, widened * place.x});
   }
   input.grain = {grain_line(input.start, plane.outline)};
   return input;
 }
 
+/// Over the shoulder no ray sees the form: the conformal map does.
+ChartSpec over_the_shoulder() {
+  ChartSpec spec;
+  spec.map = ChartSpec::Map::Conformal;
+  spec.centre = {0.11, -0.01, 1.40};
+  spec.reach = 0.12;
+  return spec;
+}
+
 FlatteningInput patch(int which, int n) {
   switch (which) {
     case 1:
-      return on_form({0.05, 1.20}, 0.07, n);  // bust
+      return on_form({}, {0.05, 1.19}, 0.07, 1.4, n);  // bust
     case 2:
-      return on_form({0.16, 0.88}, 0.07, n);  // hip
+      return on_form({}, {0.16, 0.86}, 0.07, 1.4, n);  // hip
     case 3:
-      return on_form({0.16, 1.33}, 0.05, n);  // shoulder
+      return on_form(over_the_shoulder(), {0, 0}, 0.07, 1, n);
     case 4:
       return test::hemisphere_with_darts(0.15, 8, n, n / 8, n / 4);
     default:
