@@ -19,6 +19,11 @@ constexpr std::size_t remembered = 5;
 // each has to lower the energy.
 constexpr double least_fall = 0.1;
 constexpr int careful_steps = 10;
+// Layers that all but touch stop every long step, and so never come apart: after so many steps that contact cut to less
+// than this share, shorter ones are made, in which the layers near each other have their way.
+constexpr double hardly_free = 0.05;
+constexpr int most_stops = 5;
+constexpr double highest_rate_of_stops = 1e8;  // [1/s2]
 
 /// One run of Newton's method.
 class Newton {
@@ -52,6 +57,7 @@ class Newton {
   double energy_ = 0;
   std::deque<double> energies_;  // the latest ones, twice as many as may be climbed to
   int careful_ = 0;              // steps that have to lower the energy
+  int stops_ = 0;                // steps, one after the other, that contact all but forbade
   double rate_ = 0;
   double lift_ = 0;                 // [1/s2] what the true Hessian took lately, beyond the rate, to be definite
   int pause_ = 0, next_pause_ = 1;  // iterations without trying it
@@ -127,6 +133,7 @@ double Newton::search(const Vector& step) {
   if (!(slope < 0)) return 0;
   const double highest = (careful_ > 0 ? energy_ : highest_of_latest()) + 1e-13 * std::abs(energy_);
   const double free = free_fraction(step);
+  stops_ = free < hardly_free ? stops_ + 1 : 0;
   for (int halvings = 0; halvings <= most_halvings; ++halvings) {
     const double fraction = std::ldexp(free, -halvings);
     const Vector trial = q_ + fraction * step;
@@ -182,6 +189,7 @@ void Newton::remember() {
 void Newton::adapt(double fraction) {
   if (fraction == 1) rate_ *= 0.4;
   if (fraction < 0.3) rate_ *= fraction == 0 ? 10 : 3;
+  if (stops_ >= most_stops && rate_ < highest_rate_of_stops) rate_ *= 10;
   rate_ = std::max(rate_, 1e-9 * options_.rate);
 }
 
