@@ -129,6 +129,10 @@ class SewingReader {
   bool read_part(const syntax::EdgeRef& reference, std::size_t edges, DraftEdgeRef& edge) {
     const auto range = reference.range();
     if (!range) return true;
+    // A part that is followed by another edge has run into that: the grammar has told so.
+    constexpr std::uint32_t gap = 1;
+    const Span span = reference.span();
+    if (module_.broken({span.begin, span.end + gap})) return false;
     if (edges > 1) {
       session_.report.add(Problem("E0308", "a part is told of a single edge").at(module_.at(reference)));
       return false;

@@ -143,6 +143,11 @@ std::string meant(const Source& source, const SyntaxError& error) {
       all.substr(0, error.span.begin).rfind('"') != std::string_view::npos) {
     return "a value in a text stands in braces, `{length in cm}`; a brace that is meant is written `\\{`";
   }
+  const std::string_view form = form_of_statement(all, error.span.begin);
+  const bool chains = form.starts_with("sew") || form.starts_with("wear");
+  if (found == "in" && chains && expects(error, "an operator")) {
+    return "of a chain only the last edge may be a part: sew the others in seams of their own";
+  }
   if (expects(error, "`:`") && !is_word(found)) return "an argument is given by its name with a colon: `waist: 68cm`";
   if (found == "=" && expects(error, "an operator")) return "two values are compared with `==`";
   const bool decimal = found == "," && error.span.begin > 0 && error.span.end < all.size() &&

@@ -6,6 +6,7 @@
 #include <set>
 #include <utility>
 
+#include "compiler/curve/places.hpp"
 #include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/region.hpp"
 
@@ -154,7 +155,10 @@ bool hole_names_differ(const DraftPiece& draft, Findings& findings) {
 bool reaches_fold(const DraftPiece& draft, const DraftInner& hole, const Curve& rim, const std::string& owner,
                   Findings& findings) {
   for (const DraftEdge& edge : draft.outline) {
-    if (draft.fold != edge.name || crossings(rim, edge.curve).empty()) continue;
+    if (draft.fold != edge.name) continue;
+    const auto on_fold = [&](Vec2 p) { return distance(edge.curve.at(nearest_place(edge.curve, p)), p) < kOpen; };
+    const bool half = distance(rim.start(), rim.end()) > kOpen && on_fold(rim.start()) && on_fold(rim.end());
+    if (!half && crossings(rim, edge.curve).empty()) continue;
     findings.error("E0314",
                    fmt::format("{} lies across the fold {} of piece {}", owner, quoted(edge.name), quoted(draft.name)),
                    {{hole.written, "this hole"}, {draft.fold_written, "the fold"}},
@@ -181,8 +185,10 @@ bool check_holes(const DraftPiece& draft, Findings& findings) {
     const DraftInner& hole = draft.holes[h];
     const std::string owner = hole_of(draft, hole);
     names_differ(owner, hole.edges, findings);
-    if (!check_loop(owner, hole.edges, hole.written, findings)) continue;
     const Curve rim = loop_of(hole.edges);
+    const bool has_length = rim.length() > kNoLength && rim.length() < kAbsurd;  // false for NaN
+    if (has_length && reaches_fold(draft, hole, rim, owner, findings)) continue;
+    if (!check_loop(owner, hole.edges, hole.written, findings)) continue;
     const auto meets = [&](const std::string& other, const Curve& curve, Location written) {
       const std::vector<Crossing> found = crossings(rim, curve);
       if (found.empty()) return false;
@@ -190,7 +196,6 @@ bool check_holes(const DraftPiece& draft, Findings& findings) {
                      {{hole.written, "this hole"}, {written, "reaches it"}}, "keep a hole clear of other edges");
       return true;
     };
-    if (reaches_fold(draft, hole, rim, owner, findings)) continue;
     const bool crossed = std::any_of(draft.outline.begin(), draft.outline.end(), [&](const DraftEdge& edge) {
       return meets("edge " + quoted(edge.name), edge.curve, edge.written);
     });

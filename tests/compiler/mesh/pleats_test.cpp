@@ -48,7 +48,7 @@ Garment pleated_skirt() {
 TEST(PleatedMesh, CarriesThreeLayersAndTheBandInTheSeam) {
   const Garment skirt = pleated_skirt();
   const SewnMesh mesh = sew(skirt, {});
-  expect_cells_agree(skirt, mesh);
+  test::expect_cells_agree(skirt, mesh);
   int layered = 0;
   for (const SMesh::Edge& edge : mesh.s.edges) {
     if (edge.wings.size() <= 2) continue;
@@ -66,7 +66,7 @@ TEST(PleatedMesh, CarriesThreeLayersAndTheBandInTheSeam) {
 
 TEST(PleatedMesh, HasEdgesAlongItsCreases) {
   const SewnMesh mesh = sew(pleated_skirt(), {});
-  expect_cells_agree(pleated_skirt(), mesh);
+  test::expect_cells_agree(pleated_skirt(), mesh);
   double ridges = 0, valleys = 0;
   for (const SMesh::Edge& edge : mesh.s.edges) {
     const int a = mesh.s.p_of_s[edge.vertices[0]].front(), b = mesh.s.p_of_s[edge.vertices[1]].front();

@@ -121,6 +121,15 @@ TEST(Holes, OnTheFoldAreRefused) {
   EXPECT_THAT(made.diagnostics[0].help, HasSubstr("draw the whole piece"));
 }
 
+TEST(Holes, OfWhichOneHalfIsDrawnAtTheFoldAreRefused) {
+  DraftPiece piece = folded(rectangle("front", 0.3, 0.5), "left");
+  DraftInner half = round_hole("neck", {0, 0.3}, 0.06);
+  half.edges.resize(1);
+  half.edges.front().curve = arc_through({0, 0.24}, {0.06, 0.3}, {0, 0.36});
+  piece.holes = {half};
+  EXPECT_THAT(codes(make(garment({piece}))), ElementsAre("E0314"));
+}
+
 TEST(Holes, LengthsAreCheckedAsAnywhere) {
   DraftGarment draft = garment({poncho(), rectangle("collar", 0.6, 0.04)},
                                {sew({"collar.left"}, {"collar.right"}), sew({"collar.bottom"}, {"poncho.neck.rim"})});
