@@ -24,7 +24,8 @@ TEST(CholeskyTest, SolvesWhatItFactorises) {
   EXPECT_NEAR(x[2], 2, 1e-14);
 }
 
-/// CHOLMOD is opened when it is first needed, and finds the program's own way of running OpenMP's loops before OpenMP's.
+/// CHOLMOD is opened when it is first needed, and finds the program's own way of running OpenMP's loops before
+/// OpenMP's.
 TEST(CholeskyTest, LoopsOfOpenMPRunWhereTheyStand) {
   int runs = 0;
   const auto count = [](void* data) { ++*static_cast<int*>(data); };
