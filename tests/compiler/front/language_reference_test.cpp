@@ -69,5 +69,9 @@ TEST(LanguageReference, EveryExampleOfABodyRuns) {
   expect_to_run("bodies.md", 3);
 }
 
+TEST(LanguageReference, EveryExampleOfTheComparisonRuns) {
+  expect_to_run("comparison.md", 2);
+}
+
 }  // namespace
 }  // namespace toile::test
