@@ -5,6 +5,7 @@
 #include <array>
 #include <cmath>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "compiler/units/format.hpp"
@@ -96,7 +97,9 @@ class Fit {
  private:
   void refuse(const Rows& at, std::string message, std::string help) {
     const auto row = first_of(rows_, at);
-    report_.add(Problem("E0414", std::move(message)).at(row == rows_.end() ? sheet_.written : row->second).help(help));
+    report_.add(Problem("E0414", std::move(message))
+                    .at(row == rows_.end() ? sheet_.written : row->second)
+                    .help(std::move(help)));
     holds_ = false;
   }
 

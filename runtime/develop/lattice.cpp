@@ -169,7 +169,8 @@ Lattice::Place Lattice::in_cell(int point, Vec2 place) const {
   const Sheet& sheet = sheet_of(point);
   const int cell = cell_of(point) - sheet.first_cell;
   const Vec2 at = (place - sheet.low) / sheet.cell;
-  return {at.x - cell % sheet.columns, at.y - cell / sheet.columns};
+  const int row = cell / sheet.columns;
+  return {at.x - cell % sheet.columns, at.y - row};
 }
 
 std::array<double, Lattice::held_by> Lattice::shares(int point) const {
