@@ -65,6 +65,10 @@ TEST(LanguageReference, EveryExampleRuns) {
   expect_to_run("language.md", 60);
 }
 
+TEST(LanguageReference, EveryExampleOfTheTourRuns) {
+  expect_to_run("tour.md", 15);
+}
+
 TEST(LanguageReference, EveryExampleOfABodyRuns) {
   expect_to_run("bodies.md", 3);
 }
