@@ -74,8 +74,7 @@ class GarmentBuilder {
     }
     PiecePlanner(session_, garment_).plan_all();
     for (const auto& piece : garment_.pieces) {
-      if (piece->written.taken()) continue;
-      piece->scope = std::make_unique<Scope>(scope.module(), piece->outer);
+      if (piece->late) continue;
       define_piece_names(session_, *piece);
     }
   }
@@ -136,7 +135,7 @@ class GarmentBuilder {
     PieceInstance* reference = piece.get();
     const auto name = written.name();
     const auto value = [this_session = &session_, reference] {
-      return reference->written.taken() ? take(*this_session, *reference) : Value{PieceRef{reference}};
+      return reference->late ? take(*this_session, *reference) : Value{PieceRef{reference}};
     };
     const Definition* made = number.empty() || !name
                                  ? define(session_, *garment_.scope, name, value)
@@ -189,8 +188,7 @@ class GarmentBuilder {
 
   void draft_pieces() {
     for (const auto& piece : garment_.pieces) {
-      garment_.draft.pieces.push_back(piece->written.taken() ? draft_taken(session_, *piece)
-                                                             : draft_piece(session_, *piece));
+      garment_.draft.pieces.push_back(piece->late ? draft_taken(session_, *piece) : draft_piece(session_, *piece));
       garment_.sound = garment_.sound && piece->sound;
     }
   }

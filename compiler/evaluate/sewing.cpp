@@ -81,8 +81,8 @@ class SewingReader {
                      fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, made.piece), names, "E0309");
       return {};
     }
-    if (piece->written.taken() && piece->taken == nullptr) return {};  // told where it is taken
-    if (!piece->plan.outline && piece->taken == nullptr) return {};    // that it has none is told where it is drawn
+    if (piece->late && piece->taken == nullptr) return {};           // told where it is taken
+    if (!piece->plan.outline && piece->taken == nullptr) return {};  // that it has none is told where it is drawn
     made.edge = called->at(1);
     if (const InnerInstance* inner = piece->inner_called(made.edge)) {
       return read_inner(path, *inner, made);
@@ -129,10 +129,7 @@ class SewingReader {
   bool read_part(const syntax::EdgeRef& reference, std::size_t edges, DraftEdgeRef& edge) {
     const auto range = reference.range();
     if (!range) return true;
-    // A part that is followed by another edge has run into that: the grammar has told so.
-    constexpr std::uint32_t gap = 1;
-    const Span span = reference.span();
-    if (module_.broken({span.begin, span.end + gap})) return false;
+    if (module_.broken(reference.span())) return false;
     if (edges > 1) {
       session_.report.add(Problem("E0308", "a part is told of a single edge").at(module_.at(reference)));
       return false;
@@ -307,6 +304,10 @@ class SewingReader {
       return body->body;
     }
     const auto* found = value.as<BodyLineValue>();
+    // Where the map of a piece was not understood the body may be the one that it is drawn on.
+    const bool unmapped = std::any_of(garment_.pieces.begin(), garment_.pieces.end(),
+                                      [](const auto& piece) { return piece->plan.on && !piece->sound; });
+    if (value.as<BodyValue>() != nullptr && unmapped) return nullptr;
     if (found == nullptr) {
       wanted_.wrong(*expr, value, "what a garment is worn at", "a line of a body");
       return nullptr;
