@@ -83,6 +83,10 @@ class GarmentBuilder {
   void define_repeated(const syntax::Repeat& repeat, const Scope& around) {
     const auto values = repeat.values();
     if (!values) return;
+    for (const syntax::View item : syntax::items(repeat)) {
+      const auto piece = syntax::as<syntax::Piece>(item);
+      if (piece && piece->name()) garment_.repeated.try_emplace(session_.name_of(around.module(), piece->name()), 0);
+    }
     const auto known = for_each_value(session_, around, *values, garment_.turns, [&](const Scope&) {
       Scope& turn = *garment_.turns.back();
       for (const syntax::View item : syntax::items(repeat)) {
@@ -97,11 +101,14 @@ class GarmentBuilder {
         } else if (piece && piece->name()) {
           const std::string name = session_.name_of(turn.module(), piece->name());
           define_piece(*piece, turn, fmt::format("{}", repeated_[name].size() + 1));
+          garment_.repeated[name] = repeated_[name].size();
         }
         if (const auto inner = syntax::as<syntax::Repeat>(item)) define_repeated(*inner, turn);
       }
     });
-    if (!known) garment_.sound = false;
+    if (known) return;
+    garment_.sound = false;
+    garment_.doubled = true;  // what it was to make is not there
   }
 
   /// Seams, worn lines and arrangements, those of a `for` in the scope of each of its turns.

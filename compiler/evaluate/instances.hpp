@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -148,8 +149,10 @@ struct GarmentInstance {
   int index = -1;  // among Program::garments()
   bool has_fabric = false;
   bool sound = true;
-  bool doubled = false;                    // two of its pieces have one name: an unknown piece may be one of them
-  std::shared_ptr<BodyInstance> drawn_on;  // of pieces that are to be developed
+  bool doubled = false;  // two of its pieces have one name: an unknown piece may be one of them
+  std::map<std::string, std::size_t, std::less<>> repeated;  // the pieces of a `for`: how many there are of each
+  std::set<std::string> told;                                // names of pieces that there are not
+  std::shared_ptr<BodyInstance> drawn_on;                    // of pieces that are to be developed
 
   PieceInstance* piece(std::string_view piece_name) const;
   void add(std::unique_ptr<PieceInstance> piece);

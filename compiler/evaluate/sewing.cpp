@@ -74,11 +74,7 @@ class SewingReader {
     made.piece = called->at(0);
     const PieceInstance* piece = garment_.piece(made.piece);
     if (piece == nullptr) {
-      if (garment_.doubled) return {};
-      std::vector<std::string> names;
-      for (const auto& each : garment_.pieces) names.push_back(each->name);
-      report_unknown(session_, module_, path[0],
-                     fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, made.piece), names, "E0309");
+      if (!garment_.doubled) report_no_piece(path[0], made.piece);
       return {};
     }
     if (piece->late && piece->taken == nullptr) return {};           // told where it is taken
@@ -101,6 +97,24 @@ class SewingReader {
     }
     if (!read_side(path, 2, made)) return {};
     return {made};
+  }
+
+  /// Once for each name, and once for all that a `for` did not make.
+  void report_no_piece(const syntax::Token& at, const std::string& name) {
+    const std::string stem = name.substr(0, name.find_last_not_of("0123456789") + 1);
+    const auto repeated = garment_.repeated.find(stem);
+    if (!garment_.told.insert(repeated == garment_.repeated.end() ? name : stem).second) return;
+    const std::string message = fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, name);
+    if (repeated == garment_.repeated.end()) {
+      std::vector<std::string> names;
+      for (const auto& each : garment_.pieces) names.push_back(each->name);
+      return report_unknown(session_, module_, at, message, names, "E0309");
+    }
+    const std::size_t count = repeated->second;
+    session_.report.add(Problem("E0309", message)
+                            .at(module_.at(at))
+                            .help(count == 0 ? fmt::format("its `for` has no turns, so that there is no `{}`", stem)
+                                             : fmt::format("its `for` makes `{0}1` to `{0}{1}`", stem, count)));
   }
 
   /// `piece.hole.edge`, `piece.line.edge`, or without an edge all of them.
