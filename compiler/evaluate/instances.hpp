@@ -28,6 +28,7 @@ struct Module {
   std::vector<syntax::View> commands;
   std::vector<std::pair<std::string, Module*>> imports;  // by the names that they have here
   std::vector<std::string> not_found;                    // modules that it would import
+  std::set<std::string> told;                            // names that its top has not
 
   Location at(Span span) const { return {file, span}; }
   Location at(const syntax::View& view) const { return {file, view.span()}; }

@@ -169,6 +169,8 @@ Value look_up(Session& session, const Scope& scope, const syntax::Token& name, W
   if (builtin != nullptr) return builtin->constant ? *builtin->constant : Value{BuiltinRef{builtin}};
   if (session.report.full()) return Unknown{};
   if (nearest(text, scope.module().not_found)) return Unknown{};  // what was to be imported
+  // Of the commands one is told of a name that is not there, as that of a drape that was forgotten.
+  if (&scope == scope.module().scope.get() && !scope.module().told.emplace(text).second) return Unknown{};
   std::vector<std::string> known = scope.visible_names();
   const std::vector<std::string> functions = builtin_names();
   known.insert(known.end(), functions.begin(), functions.end());

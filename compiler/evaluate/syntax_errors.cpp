@@ -61,7 +61,8 @@ std::string meant_by(std::string_view text) {
   };
   constexpr std::array others{Other{"in", "inch"},        Other{"inches", "inch"}, Other{"degrees", "deg"},
                               Other{"degree", "deg"},     Other{"percent", "%"},   Other{"millimetres", "mm"},
-                              Other{"centimetres", "cm"}, Other{"points", "pt"},   Other{"yards", "yd"}};
+                              Other{"centimetres", "cm"}, Other{"points", "pt"},   Other{"yards", "yd"},
+                              Other{"ply", "plies"}};
   for (const Other& other : others) {
     if (other.word == text) return "write `" + std::string(other.unit) + "`";
   }

@@ -20,7 +20,8 @@ void Findings::warning(std::string code, std::string message, std::vector<Label>
 
 std::string in_cm(double metres) {
   const double size = std::abs(metres);
-  if (size > 0 && size < 0.5e-3) return fmt::format("{:.1g} mm", 1e3 * metres);
+  constexpr double rounding = 1e-9;  // [m]
+  if (size > rounding && size < 0.5e-3) return fmt::format("{:.1g} mm", 1e3 * metres);
   return decimal(100 * metres, 2) + " cm";
 }
 
