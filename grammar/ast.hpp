@@ -162,15 +162,16 @@ struct Garment : ViewOf<Kind::Garment> {
   std::optional<Expr> textile() const { return after<Expr>(*this, Kind::KwPrinted); }
 };
 
-/// `piece name(parameters) { … }`, a variation `piece back = front with { … }`, or `piece cuff = parts.cuff(8cm)`.
-/// items() are Let Outline Hole InnerLine Fold Cut Grain Dart Notch Pivot Spread Pleat Mark Drill Buttonhole Button
-/// Repeat Allowance Label.
+/// `piece name(parameters) { … }`, a variation `piece back = front with { … }`, or `piece cuff = parts.cuff(8cm)`,
+/// which may be varied as well. items() are Let Outline Hole InnerLine Fold Cut Grain Dart Notch Pivot Spread Pleat
+/// Mark Drill Buttonhole Button Repeat Allowance Label.
 struct Piece : ViewOf<Kind::Piece> {
   std::optional<Token> name() const { return token(*this, Kind::Name); }
   std::optional<Parameters> parameters() const { return child<Parameters>(*this); }
   std::optional<Expr> taken() const { return after<Expr>(*this, Kind::Assign); }   // drawn elsewhere
   std::optional<Expr> on() const { return after<Expr>(*this, Kind::KwOn); }        // drawn on a body, to be developed
   std::optional<Token> base() const { return after<Token>(*this, Kind::Assign); }  // of `piece back = front with`
+  bool varies() const { return has(*this, Kind::KwWith); }
 };
 
 /// items() are Edges. Without origin() the edges replace those of the varied piece.

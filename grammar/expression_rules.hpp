@@ -246,10 +246,24 @@ inline std::optional<Operator> operator_at(std::string_view text, std::uint32_t 
   }
 }
 
-/// Prefix and infix operators by precedence climbing, from `Lowest` on.
+/// Behind a `+`: `back.side` or `panel[2].edge`, which goes on with a chain.
+inline bool edge_follows(std::string_view text, std::uint32_t plus) {
+  std::uint32_t at = skip_lines(text, plus + 1);
+  if (at >= text.size() || !is_letter(text[at])) return false;
+  at += static_cast<std::uint32_t>(word_at(text, at).size());
+  if (at < text.size() && text[at] == '[') {
+    const std::size_t close = text.find_first_of("]\n", at);
+    if (close == std::string_view::npos || text[close] != ']') return false;
+    at = static_cast<std::uint32_t>(close) + 1;
+  }
+  return at + 1 < text.size() && text[at] == '.' && is_letter(text[at + 1]);
+}
+
+/// Prefix and infix operators by precedence climbing, from `Lowest` on. In a chain of edges a `+` before an edge is the
+/// chain's.
 class Climb {
  public:
-  explicit Climb(Reader& in) : in_(in) {}
+  explicit Climb(Reader& in, bool in_chain = false) : in_(in), in_chain_(in_chain) {}
 
   bool read(int lowest) {
     const Nesting nesting(in_.record);
@@ -285,7 +299,8 @@ class Climb {
   std::optional<Operator> next_operator(int lowest, int highest) {
     const std::uint32_t before = in_.offset();
     in_.skip_gap();
-    const auto op = operator_at(in_.text(), in_.offset());
+    auto op = operator_at(in_.text(), in_.offset());
+    if (in_chain_ && op && op->kind == Kind::Plus && edge_follows(in_.text(), in_.offset())) op.reset();
     if (op && op->power >= lowest && op->power <= highest) return op;
     if (!op) in_.record.expect(Kind::Binary, in_.offset());
     in_.go_to(before);
@@ -303,6 +318,7 @@ class Climb {
   static int right_power(Operator op) { return op.power == exponent_power ? minus_power : op.power + 1; }
 
   Reader& in_;
+  bool in_chain_;
 };
 
 /// What Climb reads, for the analysis of the grammar: a chain of operands, each in its own turn a Climb.
@@ -312,6 +328,13 @@ struct operators {
   using rule_t = operators;
   using subs_t = pegtl::type_list<prefixes, postfix, pegtl::star<infix>>;
   static bool match(Reader& in) { return Climb(in).read(or_power); }
+};
+
+/// Where a part of an edge ends.
+struct end_of_part {
+  using rule_t = end_of_part;
+  using subs_t = pegtl::type_list<operators>;
+  static bool match(Reader& in) { return Climb(in, true).read(or_power); }
 };
 
 struct choice : node<Kind::If, word<Kind::KwIf>, expression, perhaps_on_next_line<Kind::KwThen>, word<Kind::KwThen>,

@@ -218,18 +218,22 @@ struct piece_item : pegtl::sor<and_so_on, outline, let, solve, fold, detail, piv
                                inner_line, repeat, allow> {};
 struct piece_block : block<piece_words, piece_item> {};
 struct piece
-    : statement<
-          Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
-          pegtl::sor<pegtl::seq<assign, pegtl::sor<pegtl::seq<any_name, word<Kind::KwWith>, piece_block>, expression>>,
-                     pegtl::seq<pegtl::opt<parameters>, pegtl::opt<with_value<Kind::KwOn>>,
-                                pegtl::opt<assign, any_name, word<Kind::KwWith>>, piece_block>>,
-          at_end<>> {};
+    : statement<Kind::Piece, word<Kind::KwPiece>, to_block<piece_block>, any_name,
+                pegtl::sor<
+                    pegtl::seq<assign, pegtl::sor<pegtl::seq<any_name, word<Kind::KwWith>, piece_block>,
+                                                  pegtl::seq<expression, pegtl::opt<word<Kind::KwWith>, piece_block>>>>,
+                    pegtl::seq<pegtl::opt<parameters>, pegtl::opt<with_value<Kind::KwOn>>,
+                               pegtl::opt<assign, pegtl::sor<pegtl::seq<any_name, word<Kind::KwWith>>,
+                                                             pegtl::seq<expression, word<Kind::KwWith>>>>,
+                               piece_block>>,
+                at_end<>> {};
 
 // --------------------------------------------------------------------------------------------------- garments
 
+struct part : node<Kind::Range, word<Kind::KwIn>, expression, sign<Kind::DotDot>, end_of_part> {};
 struct edge_ref
     : called<Kind::EdgeRef,
-             node<Kind::EdgeRef, numbered_name, pegtl::plus<sign<Kind::Dot>, numbered_name>, pegtl::opt<range>>> {};
+             node<Kind::EdgeRef, numbered_name, pegtl::plus<sign<Kind::Dot>, numbered_name>, pegtl::opt<part>>> {};
 struct chain : node<Kind::Chain, edge_ref, pegtl::star<sign<Kind::Plus>, more, edge_ref>> {};
 
 struct difference : pegtl::sor<word<Kind::KwEase>, word<Kind::KwGather>, word<Kind::KwStretch>> {};

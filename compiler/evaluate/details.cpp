@@ -40,15 +40,17 @@ const Curve& curve_of(const DraftPiece& draft, const std::string& edge) {
 class DetailReader {
  public:
   DetailReader(Session& session, const PieceInstance& piece, DraftPiece& draft)
-      : session_(session), piece_(piece), module_(piece.scope->module()), draft_(draft) {}
+      : session_(session), piece_(piece), draft_(draft) {}
 
   bool read() {
     for (const Repeated& detail : piece_.plan.details) {
+      const Scope& around = piece_.scope_of(detail.written);
+      module_ = &around.module();
       if (!detail.each) {
-        read_one(detail.written, *piece_.scope);
+        read_one(detail.written, around);
         continue;
       }
-      const auto known = for_each_value(session_, *piece_.scope, *detail.each, [&](const Scope& inner) {
+      const auto known = for_each_value(session_, around, *detail.each, [&](const Scope& inner) {
         ++turn_;
         read_one(detail.written, inner);
       });
@@ -98,7 +100,7 @@ class DetailReader {
     }
     constexpr double no_length = 1e-5;  // [m] that the edge has none is told with the outline
     if (curve_of(draft_, *line).length() < no_length) return DraftPlace{*line, 0};
-    const auto s = arc_length_at(session_, curve_of(draft_, *line), where, module_.at(*where_expr),
+    const auto s = arc_length_at(session_, curve_of(draft_, *line), where, module_->at(*where_expr),
                                  "the end of edge `" + *line + "`");
     if (!s) fail();
     return s ? std::optional(DraftPlace{*line, *s}) : std::nullopt;
@@ -106,7 +108,7 @@ class DetailReader {
 
   /// tuck1, tuck2 under a `for`; dart1, dart2 where the script gives no name.
   std::string name_of(const std::optional<syntax::Token>& token, const char* kind, std::size_t before) const {
-    const std::string name = session_.name_of(module_, token);
+    const std::string name = session_.name_of(*module_, token);
     if (name.empty()) return fmt::format("{}{}", kind, before + 1);
     return turn_ > 0 ? fmt::format("{}{}", name, turn_) : name;
   }
@@ -125,7 +127,7 @@ class DetailReader {
   void read_dart(const syntax::Dart& dart, const Scope& scope) {
     const Wanted wanted{session_, scope};
     DraftDart made;
-    made.written = module_.at(dart);
+    made.written = module_->at(dart);
     made.name = name_of(dart.name(), "dart", draft_.darts.size());
     bool placed = true;
     if (dart.inside()) {
@@ -139,7 +141,7 @@ class DetailReader {
       placed = false;
     }
     DetailProperties sizes(
-        session_, module_, "dart",
+        session_, *module_, "dart",
         dart.inside() ? std::vector<std::string>{"width", "widest"}
                       : std::vector<std::string>{"width", "depth", "tip", "short"},
         dart.inside() ? std::vector<std::string>{"pressed"} : std::vector<std::string>{"trued", "pressed"});
@@ -156,7 +158,7 @@ class DetailReader {
       }
     }
     for (const syntax::Flag& flag : dart.flags()) read_flag(flag, dart.inside(), made);
-    if (draft_.chart) return read_slit(std::move(made), placed, sizes, dart.span());
+    if (piece_.plan.on) return read_slit(std::move(made), placed, sizes, dart.span());
     if (sizes.has("tip") && sizes.has("depth")) {
       session_.report.add(Problem("E0102", "a dart has a `depth` or a `tip`").at(made.written));
       return fail();
@@ -203,7 +205,7 @@ class DetailReader {
       return std::nullopt;
     }
     if (!wanted.there(*expr, value, "where a dart is widest")) return std::nullopt;
-    return arc_length_at(session_, line(dart.inside.from, dart.inside.to), value, module_.at(*expr), "the dart's end");
+    return arc_length_at(session_, line(dart.inside.from, dart.inside.to), value, module_->at(*expr), "the dart's end");
   }
 
   void read_flag(const syntax::Flag& flag, bool inside, DraftDart& dart) {
@@ -220,27 +222,27 @@ class DetailReader {
 
   void refuse(const syntax::Token& word, const std::string& owner) {
     session_.report.add(
-        Problem("E0103", fmt::format("{} is not `{}`", owner, session_.text(module_, word))).at(module_.at(word)));
+        Problem("E0103", fmt::format("{} is not `{}`", owner, session_.text(*module_, word))).at(module_->at(word)));
     fail();
   }
 
   void read_notch(const syntax::Notch& notch, const Scope& scope) {
     if (const auto where = place(notch.position(), scope)) {
-      draft_.notches.push_back({where->edge, where->at, module_.at(notch)});
+      draft_.notches.push_back({where->edge, where->at, module_->at(notch)});
     }
   }
 
   void read_pivot(const syntax::Pivot& pivot, const Scope& scope) {
     const Wanted wanted{session_, scope};
     DraftPivot made;
-    made.written = module_.at(pivot);
-    made.dart = session_.name_of(module_, pivot.dart());
+    made.written = module_->at(pivot);
+    made.dart = session_.name_of(*module_, pivot.dart());
     const auto where = place(pivot.target(), scope);
     if (const auto share = pivot.share()) {
       const auto part = wanted.positive(share, dimension::number, "the share of a dart");
       if (!part) return fail();
       if (*part > 1) {
-        session_.report.add(Problem("E0209", "the share of a dart lies between 0 % and 100 %").at(module_.at(*share)));
+        session_.report.add(Problem("E0209", "the share of a dart lies between 0 % and 100 %").at(module_->at(*share)));
         return fail();
       }
       made.share = *part;
@@ -248,7 +250,7 @@ class DetailReader {
     if (!where || made.dart.empty()) return fail();
     made.edge = where->edge;
     made.at = where->at;
-    made.name = session_.name_of(module_, pivot.alias());
+    made.name = session_.name_of(*module_, pivot.alias());
     if (made.name.empty()) made.name = made.share < 1 ? made.dart + "_2" : made.dart;
     draft_.pivots.push_back(std::move(made));
   }
@@ -261,20 +263,20 @@ class DetailReader {
                                                 : std::optional(0.0);
     const auto opened = place(spread.opened(), scope), other = place(spread.other(), scope);
     if (!by || !other_by || !opened || !other) return fail();
-    draft_.spreads.push_back({*opened, *other, *by, *other_by, module_.at(spread)});
+    draft_.spreads.push_back({*opened, *other, *by, *other_by, module_->at(spread)});
   }
 
   void read_pleat(const syntax::Pleat& pleat, const Scope& scope) {
     const Wanted wanted{session_, scope};
     DraftPleat made;
-    made.written = module_.at(pleat);
+    made.written = module_->at(pleat);
     made.name = name_of(pleat.name(), "pleat", draft_.pleats.size());
     const auto where = place(pleat.position(), scope);
     if (pleat.other_end()) {
       made.other_end = place(pleat.other_end(), scope);
       if (!made.other_end) return fail();
     }
-    DetailProperties sizes(session_, module_, "pleat", {"depth", "width", "stitched"},
+    DetailProperties sizes(session_, *module_, "pleat", {"depth", "width", "stitched"},
                            {"knife", "box", "inverted", "pressed"});
     for (const syntax::Property& property : pleat.properties()) {
       if (const auto name = sizes.name(property)) {
@@ -339,7 +341,7 @@ class DetailReader {
 
   Session& session_;
   const PieceInstance& piece_;
-  const Module& module_;
+  const Module* module_ = nullptr;  // in which the statement that is read is written
   DraftPiece& draft_;
   bool good_ = true;
   std::map<std::string, Location> names_;  // of darts and pleats

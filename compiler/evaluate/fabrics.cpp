@@ -12,6 +12,7 @@
 #include "compiler/evaluate/fabric_instruments.hpp"
 #include "compiler/evaluate/names.hpp"
 #include "compiler/evaluate/want.hpp"
+#include "compiler/pattern/fabric_rows.hpp"
 #include "compiler/units/format.hpp"
 #include "compiler/units/unit.hpp"
 
@@ -21,56 +22,9 @@ namespace {
 using Both = std::optional<WarpWeft> FabricSheet::*;
 using Single = std::optional<double> FabricSheet::*;
 
-/// A row of the sheet: its name and unit there, where it goes, and what no cloth exceeds [SI].
-struct RowKind {
-  std::string_view name;
-  std::string_view unit;
-  std::variant<Both, Single> place;
-  double least;
-  double most;
-};
-
-const std::vector<RowKind>& row_kinds() {
-  using S = FabricSheet;
-  // Bounds are those of what cloths, leathers and films are, tenfold: beyond them a unit or a digit is wrong.
-  static const std::vector<RowKind> rows{
-      {"LT", "1", &S::lt, 0.01, 3},
-      {"WT", "gf*cm/cm^2", &S::wt, 1e-3, 1e3},
-      {"RT", "%", &S::rt, 0, 1},
-      {"EMT", "%", &S::emt, 1e-5, 5},
-      {"G", "gf/cm/deg", &S::g, 1e-3, 1e5},
-      {"2HG", "gf/cm", &S::hg, 0, 1e3},
-      {"2HG5", "gf/cm", &S::hg5, 0, 1e3},
-      {"B", "gf*cm^2/cm", &S::b, 1e-9, 1},
-      {"2HB", "gf*cm/cm", &S::hb, 0, 10},
-      {"LC", "1", &S::lc, 0, 3},
-      {"WC", "gf*cm/cm^2", &S::wc, 0, 1e2},
-      {"RC", "%", &S::rc, 0, 1},
-      {"T0", "mm", &S::t0, 1e-6, 0.1},
-      {"Tm", "mm", &S::tm, 1e-6, 0.1},
-      {"W", "mg/cm^2", &S::weight, 1e-4, 20},
-      {"MIU", "1", &S::miu, 0, 5},
-      {"MMD", "1", &S::mmd, 0, 5},
-      {"SMD", "um", &S::smd, 0, 1e-2},
-      {"twist", "gf*cm^2/cm", &S::twist, 0, 1},
-      {"stretch", "N/m", &S::stretch, 1e-1, 1e9},
-      {"shear", "N/m", &S::shear, 1e-3, 1e8},
-      {"B45", "gf*cm^2/cm", &S::b45, 1e-9, 1},
-      {"E5", "%", &S::e5, 0, 5},
-      {"E20", "%", &S::e20, 1e-5, 5},
-      {"E100", "%", &S::e100, 1e-5, 5},
-      {"EB5", "%", &S::eb5, 1e-5, 5},
-      {"C", "mm", &S::c, 1e-4, 0.5},
-      {"C45", "mm", &S::c45, 1e-4, 0.5},
-      {"T2", "mm", &S::t2, 1e-6, 0.1},
-      {"T100", "mm", &S::t100, 1e-6, 0.1},
-  };
-  return rows;
-}
-
 std::vector<std::string> row_names() {
   std::vector<std::string> names;
-  for (const RowKind& row : row_kinds()) names.emplace_back(row.name);
+  for (const FabricRow& row : fabric_rows()) names.emplace_back(row.name);
   names.emplace_back("source");
   return names;
 }
@@ -110,9 +64,9 @@ class FabricReader {
     const auto token = row.name();
     if (!token) return;
     const std::string name = session_.name_of(module_, token);
-    const auto kind =
-        std::find_if(row_kinds().begin(), row_kinds().end(), [&](const RowKind& each) { return each.name == name; });
-    if (kind == row_kinds().end() && name != "source") {
+    const auto kind = std::find_if(fabric_rows().begin(), fabric_rows().end(),
+                                   [&](const FabricRow& each) { return each.name == name; });
+    if (kind == fabric_rows().end() && name != "source") {
       report_unknown(session_, module_, *token, "a fabric has no row `" + name + "`", row_names(), "E0402");
       sound_ = false;
       return;
@@ -135,7 +89,7 @@ class FabricReader {
     if (const auto text = wanted.text(values.front(), "a source")) sheet_.source = *text;
   }
 
-  void read_measurement(const syntax::Row& row, const RowKind& kind) {
+  void read_measurement(const syntax::Row& row, const FabricRow& kind) {
     const std::vector<syntax::Expr> values = row.values();
     const bool both = std::holds_alternative<Both>(kind.place);
     const std::size_t most = both ? 2 : 1;
@@ -164,7 +118,7 @@ class FabricReader {
     }
   }
 
-  std::optional<double> measurement(const syntax::Expr& expr, const RowKind& kind) {
+  std::optional<double> measurement(const syntax::Expr& expr, const FabricRow& kind) {
     const Unit unit = parse_unit(kind.unit).value_or(Unit{});
     const Wanted wanted{session_, scope_};
     const Value value = evaluate(session_, scope_, expr);

@@ -154,6 +154,8 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
   }
   if (const auto* piece = object.as<PieceRef>()) {
     if (access.text == "sewn" && (*piece)->scope->own("sewn") == nullptr) return sewn_lengths(session, **piece);
+    const bool whole = !(*piece)->outer->module().broken((*piece)->written.span());
+    if (!whole && (*piece)->scope->own(access.text) == nullptr) return Unknown{};  // it may stand in what was not read
     return defined_in(access, *(*piece)->scope, "piece `" + (*piece)->name + "`", "E0103");
   }
   if (const auto* inner = object.as<InnerRef>()) {

@@ -8,29 +8,6 @@
 namespace toile {
 namespace {
 
-/// The parameters' names are those of a garment that has no other piece.
-PieceInstance& drawn(Session& session, const Scope& scope, const syntax::Piece& written, const std::string& name,
-                     const std::vector<std::optional<Given>>& arguments) {
-  GarmentInstance& around = *session.garment_instances.emplace_back(std::make_unique<GarmentInstance>());
-  std::string kinds;
-  for (const auto& argument : arguments) kinds += argument ? signature(argument->value) : "-";
-  around.scope = std::make_unique<Scope>(scope.module(), &scope, false, kinds);
-  around.draft.name = name;
-  if (const auto parameters = written.parameters()) define_parameters(session, *around.scope, *parameters, arguments);
-  auto made = std::make_unique<PieceInstance>();
-  PieceInstance& piece = *made;
-  piece.name = name;
-  around.add(std::move(made));
-  piece.garment = &around;
-  piece.outer = around.scope.get();
-  piece.written = written;
-  PiecePlanner(session, around).plan_all();
-  piece.scope = std::make_unique<Scope>(scope.module(), around.scope.get());
-  define_piece_names(session, piece);
-  for (const auto& parameter : around.scope->definitions()) force(session, *parameter);
-  return piece;
-}
-
 /// The piece that a value is; null for none, which is reported.
 PieceInstance* as_piece(Session& session, const Value& value, Location at) {
   if (const auto* piece = value.as<PieceRef>()) return *piece;
@@ -52,6 +29,58 @@ PieceInstance* as_piece(Session& session, const Value& value, Location at) {
   return piece == nullptr ? nullptr : *piece;
 }
 
+/// The piece that is taken or varied: behind the `=`.
+PieceInstance* model_of(Session& session, const Scope& scope, const syntax::Piece& written) {
+  if (const auto taken = written.taken()) {
+    return as_piece(session, evaluate(session, scope, taken), scope.module().at(*taken));
+  }
+  const auto base = written.base();
+  if (!base) return nullptr;
+  return as_piece(session, look_up(session, scope, *base, Wish::Value), scope.module().at(*base));
+}
+
+/// A piece that stands by itself, in a garment that has no other one.
+PieceInstance& by_itself(Session& session, const Scope& outer, const syntax::Piece& written, const std::string& name) {
+  GarmentInstance& around = *session.garment_instances.emplace_back(std::make_unique<GarmentInstance>());
+  around.draft.name = name;
+  auto made = std::make_unique<PieceInstance>();
+  PieceInstance& piece = *made;
+  piece.name = name;
+  piece.garment = &around;
+  piece.outer = &outer;
+  piece.written = written;
+  around.add(std::move(made));
+  return piece;
+}
+
+/// Its statements, and those of the piece that it varies, if any; then its names.
+void plan(Session& session, PieceInstance& piece, GarmentInstance& around) {
+  PiecePlanner planner(session, around);
+  if (!piece.written.varies()) {
+    planner.plan_all();
+  } else if (const PieceInstance* model = model_of(session, *piece.outer, piece.written)) {
+    planner.vary(piece, *model);
+  } else {
+    piece.sound = false;
+  }
+  define_piece_names(session, piece);
+}
+
+/// The parameters' names are those of the garment around it.
+PieceInstance& drawn(Session& session, const Scope& scope, const syntax::Piece& written, const std::string& name,
+                     const std::vector<std::optional<Given>>& arguments) {
+  std::string kinds;
+  for (const auto& argument : arguments) kinds += argument ? signature(argument->value) : "-";
+  auto parameters = std::make_unique<Scope>(scope.module(), &scope, false, kinds);
+  Scope& inside = *parameters;
+  PieceInstance& piece = by_itself(session, inside, written, name);
+  piece.garment->scope = std::move(parameters);
+  if (const auto formals = written.parameters()) define_parameters(session, inside, *formals, arguments);
+  plan(session, piece, *piece.garment);
+  for (const auto& parameter : inside.definitions()) force(session, *parameter);
+  return piece;
+}
+
 }  // namespace
 
 void define_free_piece(Session& session, Scope& scope, const syntax::Piece& written) {
@@ -63,7 +92,7 @@ void define_free_piece(Session& session, Scope& scope, const syntax::Piece& writ
     return;
   }
   define(session, scope, written.name(), [&session, &scope, written, name]() -> Value {
-    if (const auto taken = written.taken()) return evaluate(session, scope, taken);
+    if (const auto taken = written.taken(); taken && !written.varies()) return evaluate(session, scope, taken);
     PieceInstance& piece = drawn(session, scope, written, name, {});
     draft_piece(session, piece);  // mistakes are told though no garment may ever take it
     return PieceRef{&piece};
@@ -76,9 +105,15 @@ Value instantiate(Session& session, const PieceTemplate& piece, const std::vecto
 }
 
 Value take(Session& session, PieceInstance& piece) {
-  const auto written = piece.written.taken();
-  const Scope& scope = *piece.outer;
-  piece.taken = as_piece(session, evaluate(session, scope, written), scope.module().at(*written));
+  if (piece.written.varies()) {
+    PieceInstance& varied = by_itself(session, *piece.outer, piece.written, piece.name);
+    GarmentInstance& alone = *varied.garment;
+    varied.garment = piece.garment;
+    plan(session, varied, alone);
+    piece.taken = &varied;
+  } else {
+    piece.taken = model_of(session, *piece.outer, piece.written);
+  }
   piece.sound = piece.taken != nullptr;
   return piece.sound ? Value{PieceRef{piece.taken}} : Value{};
 }

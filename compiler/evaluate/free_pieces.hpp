@@ -12,7 +12,7 @@ void define_free_piece(Session& session, Scope& scope, const syntax::Piece& writ
 /// The piece drawn for these arguments.
 Value instantiate(Session& session, const PieceTemplate& piece, const std::vector<std::optional<Given>>& arguments);
 
-/// `piece cuff = parts.cuff(8cm)` in a garment: the piece that the value is.
+/// `piece cuff = parts.cuff(8cm)` in a garment: the piece that the value is, or with `with { … }` a variation of it.
 Value take(Session& session, PieceInstance& piece);
 
 /// The draft of a piece that was taken, under the name that it has here.

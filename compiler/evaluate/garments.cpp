@@ -74,8 +74,7 @@ class GarmentBuilder {
     }
     PiecePlanner(session_, garment_).plan_all();
     for (const auto& piece : garment_.pieces) {
-      if (piece->written.taken()) continue;
-      piece->scope = std::make_unique<Scope>(scope.module(), piece->outer);
+      if (piece->late) continue;
       define_piece_names(session_, *piece);
     }
   }
@@ -84,6 +83,10 @@ class GarmentBuilder {
   void define_repeated(const syntax::Repeat& repeat, const Scope& around) {
     const auto values = repeat.values();
     if (!values) return;
+    for (const syntax::View item : syntax::items(repeat)) {
+      const auto piece = syntax::as<syntax::Piece>(item);
+      if (piece && piece->name()) garment_.repeated.try_emplace(session_.name_of(around.module(), piece->name()), 0);
+    }
     const auto known = for_each_value(session_, around, *values, garment_.turns, [&](const Scope&) {
       Scope& turn = *garment_.turns.back();
       for (const syntax::View item : syntax::items(repeat)) {
@@ -98,11 +101,14 @@ class GarmentBuilder {
         } else if (piece && piece->name()) {
           const std::string name = session_.name_of(turn.module(), piece->name());
           define_piece(*piece, turn, fmt::format("{}", repeated_[name].size() + 1));
+          garment_.repeated[name] = repeated_[name].size();
         }
         if (const auto inner = syntax::as<syntax::Repeat>(item)) define_repeated(*inner, turn);
       }
     });
-    if (!known) garment_.sound = false;
+    if (known) return;
+    garment_.sound = false;
+    garment_.doubled = true;  // what it was to make is not there
   }
 
   /// Seams, worn lines and arrangements, those of a `for` in the scope of each of its turns.
@@ -136,7 +142,7 @@ class GarmentBuilder {
     PieceInstance* reference = piece.get();
     const auto name = written.name();
     const auto value = [this_session = &session_, reference] {
-      return reference->written.taken() ? take(*this_session, *reference) : Value{PieceRef{reference}};
+      return reference->late ? take(*this_session, *reference) : Value{PieceRef{reference}};
     };
     const Definition* made = number.empty() || !name
                                  ? define(session_, *garment_.scope, name, value)
@@ -189,8 +195,7 @@ class GarmentBuilder {
 
   void draft_pieces() {
     for (const auto& piece : garment_.pieces) {
-      garment_.draft.pieces.push_back(piece->written.taken() ? draft_taken(session_, *piece)
-                                                             : draft_piece(session_, *piece));
+      garment_.draft.pieces.push_back(piece->late ? draft_taken(session_, *piece) : draft_piece(session_, *piece));
       garment_.sound = garment_.sound && piece->sound;
     }
   }

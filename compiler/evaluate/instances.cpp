@@ -10,10 +10,28 @@ bool Module::broken(Span span) const {
   });
 }
 
+const PieceSource& PiecePlan::source_of(const syntax::View& statement) const {
+  const Span inside = statement.span();
+  const auto found = std::find_if(sources.rbegin(), sources.rend(), [&](const PieceSource& source) {
+    const Span span = source.written.span();
+    return source.written.tree == statement.tree && span.begin <= inside.begin && inside.end <= span.end;
+  });
+  return found == sources.rend() ? sources.back() : *found;
+}
+
+const Module& PiecePlan::module_of(const syntax::View& statement) const {
+  return source_of(statement).model->outer->module();
+}
+
+const Scope& PieceInstance::scope_of(const syntax::View& statement) const {
+  const PieceInstance* model = plan.source_of(statement).model;
+  return model == this ? *scope : *elsewhere.at(model);
+}
+
 std::vector<std::string> PieceInstance::edge_names() const {
   if (taken != nullptr) return taken->edge_names();
   std::vector<std::string> names;
-  for (const PlannedEdge& edge : plan.edges) names.push_back(edge.name);
+  for (const PlannedEdge& edge : edges) names.push_back(edge.name);
   return names;
 }
 

@@ -4,6 +4,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <utility>
 #include <vector>
@@ -25,6 +26,9 @@ struct Module {
   syntax::Parsed parsed{syntax::Tree({}), {}};
   std::unique_ptr<Scope> scope;
   std::vector<syntax::View> commands;
+  std::vector<std::pair<std::string, Module*>> imports;  // by the names that they have here
+  std::vector<std::string> not_found;                    // modules that it would import
+  std::set<std::string> told;                            // names that its top has not
 
   Location at(Span span) const { return {file, span}; }
   Location at(const syntax::View& view) const { return {file, view.span()}; }
@@ -65,7 +69,7 @@ struct BodyInstance {
 struct PlannedEdge {
   std::string name;
   syntax::Edge written;
-  std::optional<syntax::Repeat> each{};  // all the edges of a `for`; once the piece's names are defined it is put out
+  std::optional<syntax::Repeat> each{};  // all the edges of a `for`, in a plan
   const Scope* scope = nullptr;          // of the turn of a `for`
 };
 
@@ -75,8 +79,16 @@ struct Repeated {
   std::optional<syntax::For> each;
 };
 
+/// Statements of a plan are read as where they were written: those of a piece that was taken from elsewhere and varied
+/// with that piece's garment and module around them.
+struct PieceSource {
+  syntax::Piece written;
+  const PieceInstance* model = nullptr;  // in whose surroundings they are read
+};
+
 /// A piece's statements after its variations were applied: `piece back = front with { … }` starts from front's.
 struct PiecePlan {
+  std::vector<PieceSource> sources;
   std::optional<syntax::Expr> on;  // the body, or a chart of it
   std::vector<syntax::Let> lets;
   std::vector<syntax::Solve> solves;
@@ -89,6 +101,9 @@ struct PiecePlan {
   std::vector<Repeated> details;  // darts, notches, pleats, marks, … in the order of the script
   std::optional<syntax::Allowance> allowance;
   std::optional<syntax::Label> label;
+
+  const PieceSource& source_of(const syntax::View& statement) const;
+  const Module& module_of(const syntax::View& statement) const;
 };
 
 /// A hole or a line inside a piece.
@@ -103,17 +118,23 @@ struct InnerInstance {
 
 struct PieceInstance {
   std::string name;
+  bool late = false;               // drawn elsewhere, perhaps varied here: looked for when it is first asked for
   PieceInstance* taken = nullptr;  // the piece that this one is, where it was drawn elsewhere
   GarmentInstance* garment = nullptr;
   syntax::Piece written;
   PiecePlan plan;
-  const Scope* outer = nullptr;               // in which it is drawn, or taken
-  std::unique_ptr<Scope> scope;               // its lets, edges, holes and lines
-  std::vector<std::unique_ptr<Scope>> turns;  // of a `for` of its edges
+  const Scope* outer = nullptr;                                      // in which it is drawn, or taken
+  std::unique_ptr<Scope> parameters;                                 // of its models elsewhere
+  std::unique_ptr<Scope> scope;                                      // its lets, edges, holes and lines
+  std::map<const PieceInstance*, std::unique_ptr<Scope>> elsewhere;  // for the statements of its models elsewhere
+  std::vector<PlannedEdge> edges;                                    // of the plan, those of a `for` put out
+  std::vector<std::unique_ptr<Scope>> turns;                         // of a `for` of its edges
   std::vector<std::unique_ptr<InnerInstance>> inner;
   bool sound = true;
   bool doubled = false;  // two of its edges have one name: an unknown edge may be one of them
 
+  /// In which a statement of its plan is read.
+  const Scope& scope_of(const syntax::View& statement) const;
   std::vector<std::string> edge_names() const;
   /// The hole or line of that name, or null.
   const InnerInstance* inner_called(std::string_view inner_name) const;
@@ -129,8 +150,10 @@ struct GarmentInstance {
   int index = -1;  // among Program::garments()
   bool has_fabric = false;
   bool sound = true;
-  bool doubled = false;                    // two of its pieces have one name: an unknown piece may be one of them
-  std::shared_ptr<BodyInstance> drawn_on;  // of pieces that are to be developed
+  bool doubled = false;  // two of its pieces have one name: an unknown piece may be one of them
+  std::map<std::string, std::size_t, std::less<>> repeated;  // the pieces of a `for`: how many there are of each
+  std::set<std::string> told;                                // names of pieces that there are not
+  std::shared_ptr<BodyInstance> drawn_on;                    // of pieces that are to be developed
 
   PieceInstance* piece(std::string_view piece_name) const;
   void add(std::unique_ptr<PieceInstance> piece);

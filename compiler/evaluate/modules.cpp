@@ -84,6 +84,7 @@ Module* load_module(Session& session, Module& importer, const syntax::Import& wr
     problem.help(from_stdlib ? suggestion(wanted, session.world.module_names())
                              : "the path is relative to the file that imports it");
     session.report.add(problem);
+    importer.not_found.push_back(wanted);
     return nullptr;
   }
   return &add_module(session, name, std::move(*text), from_stdlib);
@@ -110,12 +111,17 @@ Module& add_module(Session& session, const std::string& name, std::string text, 
 void define_import(Session& session, Module& importer, const syntax::Import& written) {
   Module* module = load_module(session, importer, written);
   const auto compute = [module] { return module == nullptr ? Value{} : Value{ModuleRef{module}}; };
+  const auto path = written.path();
+  const std::string name = written.alias()    ? session.name_of(importer, written.alias())
+                           : written.module() ? session.name_of(importer, written.module())
+                           : path             ? module_stem(syntax::string_value(*path, session.sources[importer.file]))
+                                              : "";
+  if (module != nullptr) importer.imports.emplace_back(name, module);
   if (written.alias() || written.module()) {
     define(session, *importer.scope, written.alias() ? written.alias() : written.module(), compute);
     return;
   }
-  if (const auto path = written.path()) {
-    const std::string name = module_stem(syntax::string_value(*path, session.sources[importer.file]));
+  if (path) {
     if (importer.scope->define(name, importer.at(*path), compute) != nullptr) return;
     session.report.add(Problem("E0102", "`" + name + "` is defined twice")
                            .at(importer.at(*path), "imported under this name here")

@@ -146,6 +146,18 @@ void report_unknown(Session& session, const Module& module, const syntax::Token&
   session.report.add(Problem(code, message).at(module.at(name)).help(suggestion(text, known)));
 }
 
+namespace {
+
+/// The name of an imported module that has a definition of that name.
+std::string importing(const Scope& scope, std::string_view text) {
+  for (const auto& [name, module] : scope.module().imports) {
+    if (module->scope->own(text) != nullptr) return name;
+  }
+  return "";
+}
+
+}  // namespace
+
 Value look_up(Session& session, const Scope& scope, const syntax::Token& name, Wish wish) {
   const std::string_view text = session.text(scope.module(), name);
   const Builtin* builtin = find_builtin(text);
@@ -156,11 +168,19 @@ Value look_up(Session& session, const Scope& scope, const syntax::Token& name, W
   }
   if (builtin != nullptr) return builtin->constant ? *builtin->constant : Value{BuiltinRef{builtin}};
   if (session.report.full()) return Unknown{};
+  if (nearest(text, scope.module().not_found)) return Unknown{};  // what was to be imported
+  // Of the commands one is told of a name that is not there, as that of a drape that was forgotten.
+  if (&scope == scope.module().scope.get() && !scope.module().told.emplace(text).second) return Unknown{};
   std::vector<std::string> known = scope.visible_names();
   const std::vector<std::string> functions = builtin_names();
   known.insert(known.end(), functions.begin(), functions.end());
   if (scope.is_doubled() && !nearest(text, known)) return Unknown{};  // one of the two may have been meant
   std::string message = "there is no `" + std::string(text) + "` here";
+  if (const std::string module = importing(scope, text); !module.empty()) {
+    session.report.add(
+        Problem("E0101", message).at(scope.module().at(name)).help("write `" + module + "." + std::string(text) + "`"));
+    return Unknown{};
+  }
   if (suggestion(text, known).empty()) {
     for (const std::string& module : session.world.module_names()) {
       if (module != text || scope.find(module) != nullptr) continue;
@@ -174,9 +194,14 @@ Value look_up(Session& session, const Scope& scope, const syntax::Token& name, W
 
 Definition* define(Session& session, Scope& scope, const std::optional<syntax::Token>& name,
                    std::function<Value()> compute) {
+  return define(session, scope, scope.module(), name, std::move(compute));
+}
+
+Definition* define(Session& session, Scope& scope, const Module& module, const std::optional<syntax::Token>& name,
+                   std::function<Value()> compute) {
   if (!name) return nullptr;
-  const std::string text = session.name_of(scope.module(), name);
-  const Location at = scope.module().at(*name);
+  const std::string text = session.name_of(module, name);
+  const Location at = module.at(*name);
   Definition* made = scope.define(text, at, std::move(compute));
   if (made == nullptr) {
     session.report.add(Problem("E0102", "`" + text + "` is defined twice")

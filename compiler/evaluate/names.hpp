@@ -34,6 +34,9 @@ Value member(Session& session, const Scope& scope, const Value& object, const sy
 /// Defines a name in a block; a second definition of it is an error that shows both.
 Definition* define(Session& session, Scope& scope, const std::optional<syntax::Token>& name,
                    std::function<Value()> compute);
+/// The same for a name that is written in another module.
+Definition* define(Session& session, Scope& scope, const Module& module, const std::optional<syntax::Token>& name,
+                   std::function<Value()> compute);
 
 /// "no piece `frnt`": reports a name that one of `known` was meant by.
 void report_unknown(Session& session, const Module& module, const syntax::Token& name, const std::string& message,

@@ -11,29 +11,36 @@
 namespace toile {
 namespace {
 
-bool is_among(const Session& session, const Module& module, const std::vector<syntax::Inner>& all,
+std::string name_of(const Session& session, const PiecePlan& plan, const syntax::Inner& inner) {
+  return session.name_of(plan.module_of(inner), inner.name());
+}
+
+bool is_among(const Session& session, const PiecePlan& plan, const std::vector<syntax::Inner>& all,
               const syntax::Inner& inner) {
-  const std::string name = session.name_of(module, inner.name());
+  const std::string name = name_of(session, plan, inner);
   return !name.empty() && std::any_of(all.begin(), all.end(), [&](const syntax::Inner& other) {
-    return session.name_of(module, other.name()) == name;
+    return name_of(session, plan, other) == name;
   });
 }
 
 /// The names that a `solve` defines.
-std::set<std::string> names_of(const Session& session, const Module& module, const syntax::Solve& solve) {
+std::set<std::string> names_of(const Session& session, const PiecePlan& plan, const syntax::Solve& solve) {
+  const Module& module = plan.module_of(solve);
   std::set<std::string> names;
   for (const syntax::Sought& sought : solve.unknowns()) names.insert(session.name_of(module, sought.name()));
   return names;
 }
 
+std::string name_of(const Session& session, const PiecePlan& plan, const syntax::Let& let) {
+  return session.name_of(plan.module_of(let), let.name());
+}
+
 /// Replaces what defined that name, or adds it.
-void take_let(const Session& session, const Module& module, PiecePlan& plan, const syntax::Let& let) {
-  const std::string name = session.name_of(module, let.name());
-  std::erase_if(plan.solves,
-                [&](const syntax::Solve& solve) { return names_of(session, module, solve).contains(name); });
-  const auto same = std::find_if(plan.lets.begin(), plan.lets.end(), [&](const syntax::Let& other) {
-    return session.name_of(module, other.name()) == name;
-  });
+void take_let(const Session& session, PiecePlan& plan, const syntax::Let& let) {
+  const std::string name = name_of(session, plan, let);
+  std::erase_if(plan.solves, [&](const syntax::Solve& solve) { return names_of(session, plan, solve).contains(name); });
+  const auto same = std::find_if(plan.lets.begin(), plan.lets.end(),
+                                 [&](const syntax::Let& other) { return name_of(session, plan, other) == name; });
   if (same != plan.lets.end()) {
     *same = let;
   } else {
@@ -42,11 +49,11 @@ void take_let(const Session& session, const Module& module, PiecePlan& plan, con
 }
 
 /// Replaces what defined any of its unknowns, or adds it.
-void take_solve(const Session& session, const Module& module, PiecePlan& plan, const syntax::Solve& solve) {
-  const std::set<std::string> names = names_of(session, module, solve);
-  std::erase_if(plan.lets, [&](const syntax::Let& let) { return names.contains(session.name_of(module, let.name())); });
+void take_solve(const Session& session, PiecePlan& plan, const syntax::Solve& solve) {
+  const std::set<std::string> names = names_of(session, plan, solve);
+  std::erase_if(plan.lets, [&](const syntax::Let& let) { return names.contains(name_of(session, plan, let)); });
   std::erase_if(plan.solves, [&](const syntax::Solve& other) {
-    const std::set<std::string> others = names_of(session, module, other);
+    const std::set<std::string> others = names_of(session, plan, other);
     return std::any_of(names.begin(), names.end(), [&](const std::string& name) { return others.contains(name); });
   });
   plan.solves.push_back(solve);
@@ -78,7 +85,30 @@ class OwnDetails {
 }  // namespace
 
 void PiecePlanner::plan_all() {
-  for (const auto& piece : garment_.pieces) plan(*piece);
+  for (const auto& piece : garment_.pieces) piece->late = is_late(*piece);
+  for (const auto& piece : garment_.pieces) {
+    if (!piece->late) plan(*piece);
+  }
+}
+
+bool PiecePlanner::is_late(const PieceInstance& piece) const {
+  const PieceInstance* next = &piece;
+  for (std::size_t steps = 0; steps <= garment_.pieces.size(); ++steps) {
+    if (next->written.taken()) return true;
+    if (!next->written.base()) return false;
+    const std::string name = session_.name_of(next->outer->module(), next->written.base());
+    const PieceInstance* base = garment_.piece(name);
+    if (base == nullptr) return next->outer->find(name) != nullptr;
+    next = base;
+  }
+  return false;  // round in a circle, which is told
+}
+
+void PiecePlanner::vary(PieceInstance& piece, const PieceInstance& model) {
+  piece.plan = model.plan;
+  piece.sound = piece.sound && model.sound;
+  piece.doubled = model.doubled;
+  apply(piece);
 }
 
 void PiecePlanner::plan(PieceInstance& piece) {
@@ -90,7 +120,7 @@ void PiecePlanner::plan(PieceInstance& piece) {
     way.emplace_back(next, base);
     next = base;
   }
-  const Module& module = garment_.scope->module();
+  const Module& module = piece.outer->module();
   if (next != nullptr && states_[next] == State::Running) {
     PieceInstance& last = *way.back().first;
     session_.report.add(Problem("E0106", fmt::format("piece `{}` is a variation of itself", last.name))
@@ -100,12 +130,14 @@ void PiecePlanner::plan(PieceInstance& piece) {
   }
   std::reverse(way.begin(), way.end());
   for (const auto& [varied, base] : way) {
-    if (base != nullptr) {
-      varied->plan = base->plan;
-      varied->sound = varied->sound && base->sound;
-      varied->doubled = base->doubled;
+    if (base == nullptr) {
+      apply(*varied);
+    } else {
+      vary(*varied, *base);
+      for (PieceSource& source : varied->plan.sources) {
+        if (source.model == base) source.model = varied;
+      }
     }
-    apply(*varied);
     states_[varied] = State::Done;
   }
 }
@@ -113,17 +145,9 @@ void PiecePlanner::plan(PieceInstance& piece) {
 PieceInstance* PiecePlanner::base_of(PieceInstance& piece) {
   const auto written = piece.written.base();
   if (!written) return nullptr;
-  const Module& module = garment_.scope->module();
+  const Module& module = piece.outer->module();
   const std::string name = session_.name_of(module, written);
-  if (PieceInstance* base = garment_.piece(name)) {
-    if (!base->written.taken()) return base;
-    session_.report.add(Problem("E0120", fmt::format("piece `{}` is drawn elsewhere and has no variations here", name))
-                            .at(module.at(*written), "varied here")
-                            .also(module.at(base->written), "taken here")
-                            .help("give it parameters where it is drawn, or vary it there"));
-    piece.sound = false;
-    return nullptr;
-  }
+  if (PieceInstance* base = garment_.piece(name)) return base;
   std::vector<std::string> names;
   for (const auto& each : garment_.pieces) {
     if (each.get() != &piece) names.push_back(each->name);
@@ -134,8 +158,7 @@ PieceInstance* PiecePlanner::base_of(PieceInstance& piece) {
   return nullptr;
 }
 
-void PiecePlanner::take_name(std::map<std::string, Location>& own, const syntax::Token& name) {
-  const Module& module = garment_.scope->module();
+void PiecePlanner::take_name(const Module& module, std::map<std::string, Location>& own, const syntax::Token& name) {
   const std::string text = session_.name_of(module, name);
   const auto [earlier, is_new] = own.try_emplace(text, module.at(name));
   if (is_new) return;
@@ -146,7 +169,8 @@ void PiecePlanner::take_name(std::map<std::string, Location>& own, const syntax:
 
 void PiecePlanner::apply(PieceInstance& piece) {
   PiecePlan& plan = piece.plan;
-  const Module& module = garment_.scope->module();
+  const Module& module = piece.outer->module();
+  plan.sources.push_back({piece.written, &piece});
   OwnDetails own(plan);
   std::vector<syntax::Inner> own_inner;
   std::map<std::string, Location> own_lets;
@@ -156,13 +180,13 @@ void PiecePlanner::apply(PieceInstance& piece) {
   for (const syntax::View item : syntax::items(piece.written)) {
     if (const auto let = syntax::as<syntax::Let>(item)) {
       if (!let->name()) continue;
-      take_name(own_lets, *let->name());
-      take_let(session_, module, plan, *let);
+      take_name(module, own_lets, *let->name());
+      take_let(session_, plan, *let);
     } else if (const auto solve = syntax::as<syntax::Solve>(item)) {
       for (const syntax::Sought& sought : solve->unknowns()) {
-        if (sought.name()) take_name(own_lets, *sought.name());
+        if (sought.name()) take_name(module, own_lets, *sought.name());
       }
-      take_solve(session_, module, plan, *solve);
+      take_solve(session_, plan, *solve);
     } else if (const auto outline = syntax::as<syntax::Outline>(item)) {
       if (!outline->origin() || once(item, "outline")) vary_outline(piece, *outline);
     } else if (const auto edge = syntax::as<syntax::Edge>(item)) {
@@ -190,13 +214,13 @@ void PiecePlanner::apply(PieceInstance& piece) {
   if (own_cut && !own_fold && plan.cut->mirrored()) plan.fold.reset();
   if (own_fold && !own_cut && plan.cut && plan.cut->mirrored()) plan.cut.reset();
   // Two holes or lines of one name in one block stay two, for the definition of names to notice.
-  std::erase_if(plan.inner, [&](const syntax::Inner& each) { return is_among(session_, module, own_inner, each); });
+  std::erase_if(plan.inner, [&](const syntax::Inner& each) { return is_among(session_, plan, own_inner, each); });
   plan.inner.insert(plan.inner.end(), own_inner.begin(), own_inner.end());
 }
 
 bool PiecePlanner::say_once(PieceInstance& piece, std::map<std::string, Location>& said, const syntax::View& item,
                             const char* what) {
-  const Location at = garment_.scope->module().at(item);
+  const Location at = piece.outer->module().at(item);
   const auto [earlier, fresh] = said.try_emplace(what, at);
   if (fresh) return true;
   piece.sound = false;
@@ -209,7 +233,7 @@ bool PiecePlanner::say_once(PieceInstance& piece, std::map<std::string, Location
 
 void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& outline) {
   PiecePlan& plan = piece.plan;
-  const Module& module = garment_.scope->module();
+  const Module& module = piece.outer->module();
   if (!outline.origin()) {
     for (const syntax::View item : syntax::items(outline)) {
       if (const auto edge = syntax::as<syntax::Edge>(item)) take_edge(piece, *edge);
@@ -242,7 +266,7 @@ void PiecePlanner::vary_outline(PieceInstance& piece, const syntax::Outline& out
 }
 
 void PiecePlanner::take_edge(PieceInstance& piece, const syntax::Edge& edge) {
-  const Module& module = garment_.scope->module();
+  const Module& module = piece.outer->module();
   if (!edge.name()) return;
   const std::string name = session_.name_of(module, edge.name());
   for (PlannedEdge& planned : piece.plan.edges) {
@@ -252,16 +276,19 @@ void PiecePlanner::take_edge(PieceInstance& piece, const syntax::Edge& edge) {
   }
   piece.sound = false;
   if (module.broken(piece.written.span())) return;
-  if (!piece.written.base()) {
+  if (!piece.written.varies()) {
     session_.report.add(Problem("E0308", fmt::format("edge `{}` stands outside of an outline", name))
                             .at(module.at(*edge.name()))
                             .help("outline from (0cm, 0cm) { ... }"));
     return;
   }
-  report_unknown(
-      session_, module, *edge.name(),
-      fmt::format("piece `{}` has no edge `{}` to replace", session_.name_of(module, piece.written.base()), name),
-      piece.edge_names(), "E0308");
+  std::vector<std::string> known;
+  for (const PlannedEdge& planned : piece.plan.edges) known.push_back(planned.name);
+  const auto base = piece.written.base();
+  const std::string varied =
+      base ? session_.name_of(module, base) : std::string(session_.text(module, *piece.written.taken()));
+  report_unknown(session_, module, *edge.name(), fmt::format("piece `{}` has no edge `{}` to replace", varied, name),
+                 known, "E0308");
 }
 
 }  // namespace toile

@@ -1,4 +1,4 @@
-// A piece's names and its draft.
+// A piece's draft.
 #include "compiler/evaluate/pieces.hpp"
 
 #include <fmt/format.h>
@@ -13,9 +13,6 @@
 #include "compiler/evaluate/details.hpp"
 #include "compiler/evaluate/expression.hpp"
 #include "compiler/evaluate/names.hpp"
-#include "compiler/evaluate/repetition.hpp"
-#include "compiler/evaluate/solve.hpp"
-#include "compiler/evaluate/walk.hpp"
 #include "compiler/evaluate/want.hpp"
 
 namespace toile {
@@ -23,122 +20,10 @@ namespace {
 
 constexpr int most_plies = 20;
 
-/// Edges that the pen walks one after another: an outline, a hole or a line.
-struct Walk {
-  const Scope* scope = nullptr;
-  const std::vector<PlannedEdge>* edges = nullptr;
-  std::optional<syntax::Expr> origin;
-  const char* begins = "";  // what the origin is
-};
-
-Definition* definition_of(const Walk& loop, std::size_t edge) {
-  return loop.scope->own((*loop.edges)[edge].name);
-}
-
-/// The curve of the i-th edge: walks on from the one before it.
-Value edge_curve(Session& session, const Walk& loop, std::size_t i) {
-  const std::optional<Vec2> start = Wanted{session, *loop.scope}.point(loop.origin, loop.begins);
-  std::optional<Vec2> pen = start;
-  if (i > 0) {
-    // One after another, so that a long outline is no deep recursion.
-    std::size_t first = i;
-    const auto fresh = [&](std::size_t edge) {
-      const Definition* definition = definition_of(loop, edge);
-      return definition != nullptr && definition->state == Definition::State::Fresh;
-    };
-    while (first > 0 && fresh(first - 1)) --first;
-    for (std::size_t earlier = first; earlier + 1 < i; ++earlier) force(session, *definition_of(loop, earlier));
-    Definition* before = definition_of(loop, i - 1);
-    const Value value = before == nullptr ? Value{} : force(session, *before);
-    const auto* curve = value.as<PlaneCurve>();
-    pen = curve != nullptr && curve->curve ? std::optional(curve->curve->end()) : std::nullopt;
-  }
-  if (!pen || !start) return Unknown{};
-  const PlannedEdge& edge = (*loop.edges)[i];
-  auto curve = walk(session, edge.scope != nullptr ? *edge.scope : *loop.scope, edge.written, *pen, *start);
-  return curve ? curve_value(std::move(*curve)) : Value{};
-}
-
-/// Puts the edges of each `for` out, one behind the other: side1, side2, … And `side` is the list of all of them.
-bool put_out(Session& session, PieceInstance& piece) {
-  std::vector<PlannedEdge> edges;
-  std::map<std::string, std::vector<std::string>> repeated;
-  std::map<std::string, syntax::Token> names;
-  bool good = true;
-  for (const PlannedEdge& planned : piece.plan.edges) {
-    if (!planned.each) {
-      edges.push_back(planned);
-      continue;
-    }
-    const auto known = for_each_value(session, *piece.scope, *planned.each->values(), piece.turns, [&](const Scope&) {
-      const Scope& turn = *piece.turns.back();
-      for (const syntax::View item : syntax::items(*planned.each)) {
-        const auto edge = syntax::as<syntax::Edge>(item);
-        if (!edge || !edge->name()) continue;
-        const std::string name = session.name_of(turn.module(), edge->name());
-        std::vector<std::string>& all = repeated[name];
-        names.emplace(name, *edge->name());
-        all.push_back(fmt::format("{}{}", name, all.size() + 1));
-        edges.push_back({all.back(), *edge, std::nullopt, &turn});
-      }
-    });
-    good = good && known.has_value();
-  }
-  piece.plan.edges = std::move(edges);
-  for (const auto& [name, all] : repeated) {
-    Definition* made = define(session, *piece.scope, names.at(name), [&session, &piece, each = all] {
-      std::vector<Value> curves;
-      for (const std::string& edge : each) curves.push_back(force(session, *piece.scope->own(edge)));
-      return list_value(std::move(curves));
-    });
-    if (made != nullptr) made->yields = true;
-    good = good && made != nullptr;
-  }
-  return good;
-}
-
-/// False when a name is taken.
-bool define_edges(Session& session, Scope& scope, const Walk& loop) {
-  bool good = true;
-  for (std::size_t i = 0; i < loop.edges->size(); ++i) {
-    const PlannedEdge& edge = (*loop.edges)[i];
-    const auto curve = [&session, loop, i] { return edge_curve(session, loop, i); };
-    Definition* made = edge.scope == nullptr ? define(session, scope, edge.written.name(), curve)
-                                             : scope.define(edge.name, scope.module().at(*edge.written.name()), curve);
-    if (made == nullptr && edge.scope != nullptr) {
-      session.report.add(Problem("E0102", fmt::format("edge `{}` is drawn twice", edge.name))
-                             .at(scope.module().at(*edge.written.name()), "drawn again here, by `for`")
-                             .also(scope.own(edge.name)->at, "first drawn here"));
-    }
-    if (made != nullptr) made->yields = true;
-    good = good && made != nullptr;
-  }
-  return good;
-}
-
-void define_inner(Session& session, PieceInstance& piece, const syntax::Inner& written) {
-  InnerInstance& inner = *piece.inner.emplace_back(std::make_unique<InnerInstance>());
-  Module& module = piece.scope->module();
-  inner.name = session.name_of(module, written.name());
-  inner.written = written;
-  inner.scope = std::make_unique<Scope>(module, piece.scope.get());
-  for (const syntax::View item : syntax::items(written)) {
-    const auto edge = syntax::as<syntax::Edge>(item);
-    if (edge && edge->name()) inner.edges.push_back({session.name_of(module, edge->name()), *edge});
-  }
-  const Walk walk{inner.scope.get(), &inner.edges, written.origin(),
-                  written.is_line() ? "the place where a line begins" : "the place where a hole begins"};
-  if (!define_edges(session, *inner.scope, walk)) piece.sound = false;
-  if (!written.name()) return;
-  Definition* made = define(session, *piece.scope, written.name(), [&inner]() -> Value { return InnerRef{&inner}; });
-  if (made != nullptr) made->yields = true;
-  if (made == nullptr) piece.sound = false;
-}
-
 class PieceDrafter {
  public:
   PieceDrafter(Session& session, PieceInstance& piece)
-      : session_(session), piece_(piece), module_(piece.scope->module()), wanted_{session, *piece.scope} {}
+      : session_(session), piece_(piece), module_(piece.scope->module()) {}
 
   DraftPiece draft() {
     draft_.name = piece_.name;
@@ -161,21 +46,24 @@ class PieceDrafter {
  private:
   void fail() { piece_.sound = false; }
 
+  Wanted wanted_for(const syntax::View& statement) const { return {session_, piece_.scope_of(statement)}; }
+
   void read_chart(const syntax::Expr& on) {
-    draft_.chart = chart_of(session_, evaluate(session_, *piece_.scope, on), module_.at(on), *piece_.garment);
+    const Scope& scope = piece_.scope_of(on);
+    draft_.chart = chart_of(session_, evaluate(session_, scope, on), scope.module().at(on), *piece_.garment);
     if (!draft_.chart) fail();
   }
 
   void read_outline() {
     if (!piece_.plan.outline) {
       fail();
-      if (module_.broken(piece_.written.span()) || piece_.written.base()) return;
+      if (module_.broken(piece_.written.span()) || piece_.written.varies()) return;
       session_.report.add(Problem("E0304", fmt::format("piece `{}` has no outline", piece_.name))
                               .at(draft_.written)
                               .help("outline from (0cm, 0cm) { ... }"));
       return;
     }
-    read_edges(piece_.plan.edges, *piece_.scope, draft_.outline);
+    read_edges(piece_.edges, *piece_.scope, draft_.outline);
   }
 
   void read_edges(const std::vector<PlannedEdge>& edges, const Scope& scope, std::vector<DraftEdge>& into) {
@@ -187,71 +75,74 @@ class PieceDrafter {
         fail();
         continue;
       }
-      into.push_back({edge.name, *curve->curve, module_.at(edge.written)});
+      into.push_back({edge.name, *curve->curve, piece_.plan.module_of(edge.written).at(edge.written)});
     }
   }
 
   void read_inner(const InnerInstance& inner) {
-    DraftInner made{inner.name, {}, module_.at(inner.written)};
+    DraftInner made{inner.name, {}, piece_.plan.module_of(inner.written).at(inner.written)};
     read_edges(inner.edges, *inner.scope, made.edges);
     (inner.written.is_line() ? draft_.lines : draft_.holes).push_back(std::move(made));
   }
 
   /// The drawn edge of that name; null with an error when there is none, null alone when its curve is not sound.
-  const DraftEdge* edge(const std::optional<syntax::Token>& token) {
+  const DraftEdge* edge(const Module& module, const std::optional<syntax::Token>& token) {
     if (!token || !piece_.plan.outline) return nullptr;
-    const std::string name = session_.name_of(module_, token);
+    const std::string name = session_.name_of(module, token);
     for (const DraftEdge& each : draft_.outline) {
       if (each.name == name) return &each;
     }
     fail();
     const std::vector<std::string> known = piece_.edge_names();
     if (std::find(known.begin(), known.end(), name) != known.end()) return nullptr;
-    report_unknown(session_, module_, *token, fmt::format("piece `{}` has no edge `{}`", piece_.name, name), known,
+    report_unknown(session_, module, *token, fmt::format("piece `{}` has no edge `{}`", piece_.name, name), known,
                    "E0308");
     return nullptr;
   }
 
   void read_fold() {
     if (!piece_.plan.fold) return;
-    draft_.fold_written = module_.at(*piece_.plan.fold);
-    if (const DraftEdge* line = edge(piece_.plan.fold->edge())) draft_.fold = line->name;
+    const Module& module = piece_.plan.module_of(*piece_.plan.fold);
+    draft_.fold_written = module.at(*piece_.plan.fold);
+    if (const DraftEdge* line = edge(module, piece_.plan.fold->edge())) draft_.fold = line->name;
   }
 
   void read_cut() {
     if (!piece_.plan.cut) return;
     draft_.mirrored = piece_.plan.cut->mirrored();
-    const auto count = wanted_.count(piece_.plan.cut->count(), "how often a piece is cut");
+    const Wanted wanted = wanted_for(*piece_.plan.cut);
+    const auto count = wanted.count(piece_.plan.cut->count(), "how often a piece is cut");
     if (!count) return fail();
     draft_.quantity = *count;
-    read_own_cloth(*piece_.plan.cut);
+    read_own_cloth(*piece_.plan.cut, wanted);
     if (!draft_.mirrored || *count % 2 == 0) return;
     fail();
     session_.report.add(Problem("E0209", "pieces cut in mirrored pairs are even in number")
-                            .at(module_.at(*piece_.plan.cut))
+                            .at(wanted.scope.module().at(*piece_.plan.cut))
                             .help(fmt::format("cut {} mirrored", *count + 1)));
   }
 
   /// `cut 2 in fabrics.silk plies 2`.
-  void read_own_cloth(const syntax::Cut& cut) {
+  void read_own_cloth(const syntax::Cut& cut, const Wanted& wanted) {
     if (piece_.plan.on && (cut.fabric() || cut.plies())) {
       fail();
       session_.report.add(Problem("E0209", "pieces drawn on a body are developed in the garment's own cloth")
-                              .at(module_.at(cut))
+                              .at(wanted.scope.module().at(cut))
                               .help("give this cloth to the garment: garment NAME in FABRIC"));
       return;
     }
-    if (cut.fabric()) draft_.fabric = wanted_.fabric(*cut.fabric());
-    if (cut.plies()) draft_.plies = wanted_.count(cut.plies(), "the number of plies", most_plies).value_or(0);
+    if (cut.fabric()) draft_.fabric = wanted.fabric(*cut.fabric());
+    if (cut.plies()) draft_.plies = wanted.count(cut.plies(), "the number of plies", most_plies).value_or(0);
     if ((cut.fabric() && !draft_.fabric) || draft_.plies == 0) fail();
   }
 
   /// `grain sideways`: reported.
   bool is_unknown_word(const syntax::Expr& expr) {
-    const std::string word(session_.text(module_, expr));
-    if (expr.kind() != syntax::Kind::NameRef || piece_.scope->find(word) != nullptr) return false;
+    const Scope& scope = piece_.scope_of(expr);
+    const std::string word(session_.text(scope.module(), expr));
+    if (expr.kind() != syntax::Kind::NameRef || scope.find(word) != nullptr) return false;
     session_.report.add(Problem("E0101", fmt::format("there is no direction `{}`", word))
-                            .at(module_.at(expr))
+                            .at(scope.module().at(expr))
                             .help("a grain runs `down`, `up`, `left`, `right`, on the `bias`, or at an angle"));
     return true;
   }
@@ -261,7 +152,7 @@ class PieceDrafter {
     const auto word = piece_.plan.grain->direction();
     if (const auto angle_expr = piece_.plan.grain->angle()) {
       if (is_unknown_word(*angle_expr)) return fail();
-      const auto angle = wanted_.quantity(angle_expr, dimension::angle, "the direction of the grain");
+      const auto angle = wanted_for(*angle_expr).quantity(angle_expr, dimension::angle, "the direction of the grain");
       if (angle) draft_.warp = direction(*angle);
       if (!angle) fail();
       return;
@@ -291,10 +182,10 @@ class PieceDrafter {
 
   void free_grain(const syntax::Token& word) {
     draft_.free_grain = true;
-    if (draft_.chart) return;
+    if (piece_.plan.on) return;
     fail();
     session_.report.add(Problem("E0103", "only a piece that is drawn on a body finds its grain by itself")
-                            .at(module_.at(word))
+                            .at(piece_.plan.module_of(word).at(word))
                             .help("grain down"));
   }
 
@@ -314,29 +205,31 @@ class PieceDrafter {
 
   void read_allowance(const syntax::Allowance& allowance) {
     const std::string what = "a seam allowance";
-    const auto width = wanted_.not_negative(allowance.width(), dimension::length, what);
-    if (width) draft_.allowances.push_back({"", *width, module_.at(allowance), corner_of(allowance.corner())});
+    const Wanted wanted = wanted_for(allowance);
+    const Module& module = wanted.scope.module();
+    const auto width = wanted.not_negative(allowance.width(), dimension::length, what);
+    if (width) draft_.allowances.push_back({"", *width, module.at(allowance), corner_of(allowance.corner())});
     if (!width) fail();
     std::map<std::string, Location> told;
     for (const syntax::EdgeAllowance& exception : allowance.exceptions()) {
-      const auto line = named_edge(session_, piece_, *piece_.scope, draft_, exception);
-      const auto own = wanted_.not_negative(exception.width(), dimension::length, what);
+      const auto line = named_edge(session_, piece_, wanted.scope, draft_, exception);
+      const auto own = wanted.not_negative(exception.width(), dimension::length, what);
       if (!own || !line) fail();
-      const auto [earlier, fresh] = told.try_emplace(line.value_or(""), module_.at(exception));
+      const auto [earlier, fresh] = told.try_emplace(line.value_or(""), module.at(exception));
       if (line && !fresh) {
         fail();
         session_.report.add(Problem("E0102", fmt::format("the allowance of `{}` is told twice", *line))
-                                .at(module_.at(exception), "told again here")
+                                .at(module.at(exception), "told again here")
                                 .also(earlier->second, "first told here"));
       }
       if (line && own) {
-        draft_.allowances.push_back({*line, *own, module_.at(exception), corner_of(exception.corner())});
+        draft_.allowances.push_back({*line, *own, module.at(exception), corner_of(exception.corner())});
       }
     }
   }
 
   void read_label(const syntax::Label& label) {
-    const auto text = wanted_.text(label.text(), "a label");
+    const auto text = wanted_for(label).text(label.text(), "a label");
     if (text) draft_.label = *text;
     if (!text) fail();
   }
@@ -344,53 +237,10 @@ class PieceDrafter {
   Session& session_;
   PieceInstance& piece_;
   const Module& module_;
-  Wanted wanted_;
   DraftPiece draft_;
 };
 
-/// The name of a notch stands for its place: the point where it is drawn.
-void define_notch(Session& session, PieceInstance& piece, const syntax::Notch& notch) {
-  Definition* made = define(session, *piece.scope, notch.name(), [&session, &piece, notch]() -> Value {
-    const auto position = notch.position();
-    if (!position) return Unknown{};
-    const Module& module = piece.scope->module();
-    const std::vector<syntax::Token> path = position->path();
-    const Scope* scope = piece.scope.get();
-    if (path.size() == 2) {
-      const InnerInstance* inner = piece.inner_called(session.name_of(module, path[0]));
-      if (inner == nullptr) return Unknown{};
-      scope = inner->scope.get();
-    }
-    Definition* edge = path.empty() ? nullptr : scope->own(session.name_of(module, path.back()));
-    const Value drawn = edge == nullptr ? Value{} : force(session, *edge);
-    const auto* curve = drawn.as<PlaneCurve>();
-    const Value where = evaluate(session, *piece.scope, position->where());
-    if (curve == nullptr || curve->curve == nullptr || where.unknown()) return Unknown{};  // told with the notch itself
-    const auto s = arc_length_at(session, *curve->curve, where, module.at(*position->where()), "the end of the edge");
-    return s ? Value{Point{dimension::length, curve->curve->at(*s)}} : Value{};
-  });
-  if (made == nullptr) piece.sound = false;
-}
-
 }  // namespace
-
-void define_piece_names(Session& session, PieceInstance& piece) {
-  for (const syntax::Let& let : piece.plan.lets) {
-    define(session, *piece.scope, let.name(),
-           [&session, &piece, expr = let.value()] { return evaluate(session, *piece.scope, expr); });
-  }
-  for (const syntax::Solve& solve : piece.plan.solves) define_solve(session, *piece.scope, solve);
-  if (!put_out(session, piece)) piece.sound = false;
-  const auto& outline = piece.plan.outline;
-  const Walk loop{piece.scope.get(), &piece.plan.edges, outline ? outline->origin() : std::nullopt,
-                  "the place where an outline begins"};
-  if (!define_edges(session, *piece.scope, loop)) piece.sound = false;
-  for (const syntax::Inner& inner : piece.plan.inner) define_inner(session, piece, inner);
-  for (const Repeated& detail : piece.plan.details) {
-    const auto notch = syntax::as<syntax::Notch>(detail.written);
-    if (notch && notch->name() && !detail.each) define_notch(session, piece, *notch);
-  }
-}
 
 DraftPiece draft_piece(Session& session, PieceInstance& piece) {
   return PieceDrafter(session, piece).draft();

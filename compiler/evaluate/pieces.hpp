@@ -15,10 +15,14 @@ class PiecePlanner {
  public:
   PiecePlanner(Session& session, GarmentInstance& garment) : session_(session), garment_(garment) {}
 
-  /// The plans of all pieces of the garment; a variation of itself is an error.
+  /// The plans of all pieces of the garment but those that are taken from elsewhere or vary what is, which are late; a
+  /// variation of itself is an error.
   void plan_all();
+  /// The plan of a piece that varies one from elsewhere.
+  void vary(PieceInstance& piece, const PieceInstance& model);
 
  private:
+  bool is_late(const PieceInstance& piece) const;
   void plan(PieceInstance& piece);
   /// The piece that it varies; null for none, and with an error for an unknown one.
   PieceInstance* base_of(PieceInstance& piece);
@@ -29,7 +33,7 @@ class PiecePlanner {
   void vary_outline(PieceInstance& piece, const syntax::Outline& outline);
   void take_edge(PieceInstance& piece, const syntax::Edge& edge);
   /// Reports a name that the same piece has defined before.
-  void take_name(std::map<std::string, Location>& own, const syntax::Token& name);
+  void take_name(const Module& module, std::map<std::string, Location>& own, const syntax::Token& name);
 
   Session& session_;
   GarmentInstance& garment_;

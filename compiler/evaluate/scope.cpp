@@ -1,8 +1,14 @@
 #include "compiler/evaluate/scope.hpp"
 
+#include <algorithm>
+
 namespace toile {
 
 Definition* Scope::own(std::string_view name) const {
+  if (names_ != nullptr) {
+    const auto has = [&](const Scope* model) { return model->own(name) != nullptr; };
+    return std::any_of(models_.begin(), models_.end(), has) ? names_->own(name) : nullptr;
+  }
   const auto found = by_name_.find(name);
   return found == by_name_.end() ? nullptr : found->second;
 }
@@ -44,6 +50,9 @@ void Scope::define_value(std::string name, Location at, Value value) {
 
 std::vector<std::string> Scope::own_names() const {
   std::vector<std::string> names;
+  for (const Scope* model : models_) {
+    for (std::string& name : model->own_names()) names.push_back(std::move(name));
+  }
   for (const auto& definition : definitions_) names.push_back(definition->name);
   return names;
 }

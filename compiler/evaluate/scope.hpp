@@ -39,6 +39,10 @@ class Scope {
   /// `signature`: the kinds of a call's arguments, for what is remembered of checks; empty outside of calls.
   Scope(Module& module, const Scope* parent, bool is_call = false, std::string signature = "")
       : module_(&module), parent_(parent), is_call_(is_call), signature_(std::move(signature)) {}
+  /// Sees what is defined in `names`, as far as one of `models` has that name, too: where what is written about one
+  /// piece is read again for a variation of it.
+  Scope(Module& module, const Scope* parent, const Scope& names, std::vector<const Scope*> models)
+      : module_(&module), parent_(parent), is_call_(false), names_(&names), models_(std::move(models)) {}
   Scope(const Scope&) = delete;
   Scope& operator=(const Scope&) = delete;
   Scope(Scope&&) = default;
@@ -72,6 +76,8 @@ class Scope {
   const Scope* parent_;
   bool is_call_;
   bool doubled_ = false;
+  const Scope* names_ = nullptr;
+  std::vector<const Scope*> models_;
   std::string signature_;
   std::vector<std::unique_ptr<Definition>> definitions_;
   std::map<std::string, Definition*, std::less<>> by_name_;

@@ -74,15 +74,11 @@ class SewingReader {
     made.piece = called->at(0);
     const PieceInstance* piece = garment_.piece(made.piece);
     if (piece == nullptr) {
-      if (garment_.doubled) return {};
-      std::vector<std::string> names;
-      for (const auto& each : garment_.pieces) names.push_back(each->name);
-      report_unknown(session_, module_, path[0],
-                     fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, made.piece), names, "E0309");
+      if (!garment_.doubled) report_no_piece(path[0], made.piece);
       return {};
     }
-    if (piece->written.taken() && piece->taken == nullptr) return {};  // told where it is taken
-    if (!piece->plan.outline && piece->taken == nullptr) return {};    // that it has none is told where it is drawn
+    if (piece->late && piece->taken == nullptr) return {};           // told where it is taken
+    if (!piece->plan.outline && piece->taken == nullptr) return {};  // that it has none is told where it is drawn
     made.edge = called->at(1);
     if (const InnerInstance* inner = piece->inner_called(made.edge)) {
       return read_inner(path, *inner, made);
@@ -101,6 +97,24 @@ class SewingReader {
     }
     if (!read_side(path, 2, made)) return {};
     return {made};
+  }
+
+  /// Once for each name, and once for all that a `for` did not make.
+  void report_no_piece(const syntax::Token& at, const std::string& name) {
+    const std::string stem = name.substr(0, name.find_last_not_of("0123456789") + 1);
+    const auto repeated = garment_.repeated.find(stem);
+    if (!garment_.told.insert(repeated == garment_.repeated.end() ? name : stem).second) return;
+    const std::string message = fmt::format("garment `{}` has no piece `{}`", garment_.draft.name, name);
+    if (repeated == garment_.repeated.end()) {
+      std::vector<std::string> names;
+      for (const auto& each : garment_.pieces) names.push_back(each->name);
+      return report_unknown(session_, module_, at, message, names, "E0309");
+    }
+    const std::size_t count = repeated->second;
+    session_.report.add(Problem("E0309", message)
+                            .at(module_.at(at))
+                            .help(count == 0 ? fmt::format("its `for` has no turns, so that there is no `{}`", stem)
+                                             : fmt::format("its `for` makes `{0}1` to `{0}{1}`", stem, count)));
   }
 
   /// `piece.hole.edge`, `piece.line.edge`, or without an edge all of them.
@@ -129,10 +143,7 @@ class SewingReader {
   bool read_part(const syntax::EdgeRef& reference, std::size_t edges, DraftEdgeRef& edge) {
     const auto range = reference.range();
     if (!range) return true;
-    // A part that is followed by another edge has run into that: the grammar has told so.
-    constexpr std::uint32_t gap = 1;
-    const Span span = reference.span();
-    if (module_.broken({span.begin, span.end + gap})) return false;
+    if (module_.broken(reference.span())) return false;
     if (edges > 1) {
       session_.report.add(Problem("E0308", "a part is told of a single edge").at(module_.at(reference)));
       return false;
@@ -307,6 +318,10 @@ class SewingReader {
       return body->body;
     }
     const auto* found = value.as<BodyLineValue>();
+    // Where the map of a piece was not understood the body may be the one that it is drawn on.
+    const bool unmapped = std::any_of(garment_.pieces.begin(), garment_.pieces.end(),
+                                      [](const auto& piece) { return piece->plan.on && !piece->sound; });
+    if (value.as<BodyValue>() != nullptr && unmapped) return nullptr;
     if (found == nullptr) {
       wanted_.wrong(*expr, value, "what a garment is worn at", "a line of a body");
       return nullptr;

@@ -8,12 +8,14 @@
 namespace toile {
 namespace {
 
-/// Pleats run across a piece, and darts are cut where they stand, whatever its edges are sewn to.
-std::vector<Piece> cut_by_itself(DraftPiece draft) {
-  std::vector<Diagnostic> told_elsewhere;
-  Findings findings(told_elsewhere);
+/// Pleats run across a piece, and darts are cut where they stand, whatever its edges are sewn to. A mistake is told
+/// here: what needs the lengths is not made then.
+std::vector<Piece> cut_by_itself(Session& session, DraftPiece draft) {
+  std::vector<Diagnostic> found;
+  Findings findings(found);
   draft.allowances.clear();
   std::vector<Piece> cut = cut_piece(draft, {}, findings);
+  for (Diagnostic& diagnostic : found) session.report.add(std::move(diagnostic));
   return findings.errors() == 0 ? cut : std::vector<Piece>{};
 }
 
@@ -22,7 +24,7 @@ std::vector<Piece> cut_by_itself(DraftPiece draft) {
 Value sewn_lengths(Session& session, PieceInstance& piece) {
   const DraftPiece draft = draft_piece(session, piece);
   if (!piece.sound) return Unknown{};
-  const std::vector<Piece> cut = cut_by_itself(draft);
+  const std::vector<Piece> cut = cut_by_itself(session, draft);
   if (cut.empty()) return Unknown{};
   std::vector<RecordValue::Field> fields;
   for (const DraftEdge& drawn : draft.outline) {

@@ -284,11 +284,15 @@ class Solver {
 }  // namespace
 
 void define_solve(Session& session, Scope& scope, const syntax::Solve& written) {
-  const auto solver = std::make_shared<Solver>(session, scope, written);
+  define_solve(session, scope, scope, written);
+}
+
+void define_solve(Session& session, Scope& scope, const Scope& read_in, const syntax::Solve& written) {
+  const auto solver = std::make_shared<Solver>(session, read_in, written);
   for (const syntax::Sought& sought : written.unknowns()) {
     const std::size_t i = solver->sought().size();
-    Definition* made =
-        define(session, scope, sought.name(), [solver, i] { return i == 0 ? solver->lead() : solver->follow(i); });
+    Definition* made = define(session, scope, read_in.module(), sought.name(),
+                              [solver, i] { return i == 0 ? solver->lead() : solver->follow(i); });
     solver->sought().push_back({sought, made, {}, {}});
   }
 }

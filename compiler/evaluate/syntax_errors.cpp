@@ -54,9 +54,25 @@ bool follows_number(std::string_view text, Span span) {
   return word && last != std::string_view::npos && std::isdigit(static_cast<unsigned char>(before[last])) != 0;
 }
 
+/// A unit as others write it, or a word that may stand behind a number.
+std::string meant_by(std::string_view text) {
+  struct Other {
+    std::string_view word, unit;
+  };
+  constexpr std::array others{Other{"in", "inch"},        Other{"inches", "inch"}, Other{"degrees", "deg"},
+                              Other{"degree", "deg"},     Other{"percent", "%"},   Other{"millimetres", "mm"},
+                              Other{"centimetres", "cm"}, Other{"points", "pt"},   Other{"yards", "yd"},
+                              Other{"ply", "plies"}};
+  for (const Other& other : others) {
+    if (other.word == text) return "write `" + std::string(other.unit) + "`";
+  }
+  const std::vector<std::string> words{"mirrored", "plies", "held", "placed", "reversed"};
+  return nearest(text, words) ? suggestion(text, words) : suggestion(text, unit_names());
+}
+
 Problem no_unit(const Source& source, FileId file, Span span) {
   const std::string_view text = source.slice(span);
-  const std::string near = suggestion(text, unit_names());
+  const std::string near = meant_by(text);
   return Problem("E0204", "`" + std::string(text) + "` is no unit")
       .at({file, span})
       .help(near.empty() ? "lengths are in um, mm, cm, m, inch, yd or pt, angles in deg or rad" : near);

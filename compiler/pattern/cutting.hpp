@@ -38,10 +38,10 @@ struct PieceUse {
 };
 
 /// A drafted outline brought to counter-clockwise order, its holes clockwise. Loop 0 is the outline, then come the
-/// holes, then the lines inside, which need not close.
+/// holes, then the lines inside, which need not close. A hole on the fold, of which half is drawn, is a part of the
+/// half's outline, between two parts of the fold.
 struct DrawnPiece {
   Piece piece;
-  std::vector<bool> as_drawn;  // whether each loop is walked in the direction of drawing
   std::vector<CutDart> darts;
   std::vector<CutTurn> turns;
   std::vector<DraftNotch> fold_notches;  // at the ends of pleats
@@ -89,6 +89,9 @@ bool check_lines(const DraftPiece& draft, const DrawnPiece& drawn, Findings& fin
 bool check_rims(const DraftPiece& draft, Findings& findings);
 /// Puts the edges on which lines end in two there, but for the fold.
 void divide_at_lines(const DraftPiece& draft, DrawnPiece& drawn);
+
+/// Whether half of the hole is drawn, from the fold to the fold.
+bool is_half(const DraftPiece& draft, const DraftInner& hole);
 
 /// For an outline that passed its check: edges with their allowances, holes clockwise.
 DrawnPiece drawn_piece(const DraftPiece& draft);

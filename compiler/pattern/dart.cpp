@@ -169,12 +169,19 @@ bool fits(const DraftPiece& draft, const DrawnPiece& drawn, const Wedge& wedge, 
 bool overlap(const Wedge& a, const Wedge& b) {
   const bool one_edge = !a.inside() && !b.inside() && a.edge.loop == b.edge.loop && a.edge.edge == b.edge.edge;
   if (one_edge && a.begin < b.end - kSame && b.begin < a.end - kSame) return true;
+  // Darts that aim at one point and end before it keep clear of each other there.
+  const bool aim_at_one = distance(a.tip, b.tip) < kSame;
   for (const Curve& side : a.sides()) {
     for (const Curve& other : b.sides()) {
-      if (!crossings(side, other).empty()) return true;
+      const std::vector<Crossing> found = crossings(side, other);
+      if (std::any_of(found.begin(), found.end(), [&](const Crossing& crossing) {
+            return !aim_at_one || distance(crossing.point, a.tip) > kSame;
+          })) {
+        return true;
+      }
     }
   }
-  return distance(a.tip, b.tip) < kSame;
+  return aim_at_one && a.draft->short_of_tip == 0 && b.draft->short_of_tip == 0;
 }
 
 std::vector<Wedge> place_darts(const DraftPiece& draft, const DrawnPiece& drawn, Findings& findings) {
@@ -201,7 +208,7 @@ PieceEdge leg(const Wedge& wedge, const char* name, Curve curve) {
 void cut_wedge(const Wedge& wedge, DrawnPiece& drawn) {
   std::vector<PieceEdge>& loop = drawn.loop(wedge.edge.loop);
   const int at = wedge.edge.edge;
-  const bool as_drawn = drawn.as_drawn[wedge.edge.loop];
+  const bool as_drawn = !drawn.loop(wedge.edge.loop)[at].against_drawing;
   const double a = drawn_place(drawn, {wedge.edge.loop, at, wedge.begin});
   const double b = drawn_place(drawn, {wedge.edge.loop, at, wedge.end});
   drawn.darts.push_back(
@@ -228,7 +235,6 @@ void cut_inside(const Wedge& wedge, DrawnPiece& drawn) {
   drawn.piece.holes.push_back(
       {leg(wedge, ".left", join({line(wedge.other_tip, wedge.from), line(wedge.from, wedge.tip)})),
        leg(wedge, ".right", join({line(wedge.tip, wedge.to), line(wedge.to, wedge.other_tip)}))});
-  drawn.as_drawn.push_back(true);
   drawn.darts.push_back({wedge.draft, wedge.draft->name, wedge.tip, "", {}, false});
 }
 

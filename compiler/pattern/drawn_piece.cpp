@@ -1,12 +1,15 @@
 // A drafted outline as a piece: counter-clockwise, each edge with its allowance.
 #include <algorithm>
 
+#include "compiler/curve/places.hpp"
 #include "compiler/diag/nearest.hpp"
 #include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/region.hpp"
 
 namespace toile {
 namespace {
+
+constexpr double kOnFold = 1e-6;  // [m]
 
 /// The edge's own allowance, or the general one; its corners by its own word, or by the general one.
 DraftAllowance allowance_of(const DraftPiece& draft, const std::string& edge) {
@@ -34,22 +37,56 @@ std::vector<PieceEdge> named(const DraftPiece& draft, const std::vector<DraftEdg
   return edges;
 }
 
-// The edges as a loop that runs to the left (or to the right) of what it bounds; says whether it was turned round.
-std::vector<PieceEdge> directed(const DraftPiece& draft, const std::vector<DraftEdge>& drafted, const std::string& hole,
-                                bool left, std::vector<bool>& as_drawn) {
-  std::vector<PieceEdge> edges = named(draft, drafted, hole);
-  as_drawn.push_back((signed_area(whole_outline(edges)) > 0) == left);
-  if (as_drawn.back()) return edges;
+void turn_round(std::vector<PieceEdge>& edges) {
   std::reverse(edges.begin(), edges.end());
   for (PieceEdge& edge : edges) {
     edge.curve = edge.curve.reversed();
     edge.against_drawing = true;
     edge.drawn = {0, edge.curve.length()};
   }
+}
+
+// The edges as a loop that runs to the left (or to the right) of what it bounds.
+std::vector<PieceEdge> directed(const DraftPiece& draft, const std::vector<DraftEdge>& drafted, const std::string& hole,
+                                bool left) {
+  std::vector<PieceEdge> edges = named(draft, drafted, hole);
+  if ((signed_area(whole_outline(edges)) > 0) != left) turn_round(edges);
   return edges;
 }
 
+// Puts half a hole into the half's outline, where the fold passes it.
+void insert_half(const DraftPiece& draft, const DraftInner& hole, std::vector<PieceEdge>& outline) {
+  std::vector<PieceEdge> rim = named(draft, hole.edges, hole.name);
+  const Vec2 start = rim.front().curve.start(), end = rim.back().curve.end();
+  for (std::size_t i = 0; i < outline.size(); ++i) {
+    const PieceEdge fold = outline[i];
+    if (draft.fold != fold.name) continue;
+    const double length = fold.curve.length();
+    double from = nearest_place(fold.curve, start), to = nearest_place(fold.curve, end);
+    if (distance(fold.curve.at(from), start) > kOnFold) continue;  // another part of it
+    if (from > to) {
+      turn_round(rim);
+      std::swap(from, to);
+    }
+    PieceEdge rest = fold;
+    rest.curve = fold.curve.part(to, length);
+    outline[i].curve = fold.curve.part(0, from);
+    rim.push_back(std::move(rest));
+    outline.insert(outline.begin() + static_cast<std::ptrdiff_t>(i) + 1, rim.begin(), rim.end());
+    return;
+  }
+}
+
 }  // namespace
+
+bool is_half(const DraftPiece& draft, const DraftInner& hole) {
+  const auto fold = std::find_if(draft.outline.begin(), draft.outline.end(),
+                                 [&](const DraftEdge& edge) { return draft.fold == edge.name; });
+  if (fold == draft.outline.end() || hole.edges.empty()) return false;
+  const Vec2 start = hole.edges.front().curve.start(), end = hole.edges.back().curve.end();
+  const auto on_fold = [&](Vec2 p) { return distance(fold->curve.at(nearest_place(fold->curve, p)), p) < kOnFold; };
+  return distance(start, end) > kOnFold && on_fold(start) && on_fold(end);
+}
 
 DrawnPiece drawn_piece(const DraftPiece& draft) {
   DrawnPiece drawn;
@@ -63,14 +100,17 @@ DrawnPiece drawn_piece(const DraftPiece& draft) {
   piece.plies = draft.plies;
   piece.chart = draft.chart;
   piece.written = draft.written;
-  piece.edges = directed(draft, draft.outline, "", true, drawn.as_drawn);
+  piece.edges = directed(draft, draft.outline, "", true);
   for (const DraftInner& hole : draft.holes) {
-    piece.holes.push_back(directed(draft, hole.edges, hole.name, false, drawn.as_drawn));
+    if (is_half(draft, hole)) {
+      insert_half(draft, hole, piece.edges);
+    } else {
+      piece.holes.push_back(directed(draft, hole.edges, hole.name, false));
+    }
   }
   for (const DraftInner& line : draft.lines) {
     piece.lines.push_back(named(draft, line.edges, line.name));
     for (PieceEdge& edge : piece.lines.back()) edge.allowance = 0;  // nothing is cut there
-    drawn.as_drawn.push_back(true);
   }
   piece.marks = draft.marks;
   piece.spots = draft.spots;

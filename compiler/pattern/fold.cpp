@@ -32,39 +32,24 @@ std::vector<PieceEdge> mirrored_loop(const std::vector<PieceEdge>& edges, Vec2 p
   return loop;
 }
 
-int edges_of(const std::vector<std::vector<PieceEdge>>& walks) {
-  int count = 0;
-  for (const auto& walk : walks) count += static_cast<int>(walk.size());
-  return count;
-}
-
-// The number that an edge of a piece has in the mirrored copy whose loops and lines begin at those numbers: they keep
-// their order and are walked the other way round.
-class MirroredNumbers {
+/// The numbers that the edges of a piece have in another one, by their numbers in this one.
+class Numbers {
  public:
-  MirroredNumbers(const Piece& from, int outline_begin, int holes_begin, int lines_begin) {
-    add(static_cast<int>(from.edges.size()), outline_begin);
-    for (const auto& hole : from.holes) {
-      add(static_cast<int>(hole.size()), holes_begin);
-      holes_begin += static_cast<int>(hole.size());
-    }
-    for (const auto& line : from.lines) {
-      add(static_cast<int>(line.size()), lines_begin);
-      lines_begin += static_cast<int>(line.size());
+  /// The next edges of this piece are those from `begin` on there, the other way round in a mirrored copy.
+  void add(std::size_t count, int begin, bool mirrored) {
+    for (int i = 0; i < static_cast<int>(count); ++i) {
+      numbers_.push_back(mirrored ? begin + static_cast<int>(count) - 1 - i : begin + i);
     }
   }
-  int operator()(int edge) const { return numbers_[edge]; }
+  int operator()(int edge) const { return numbers_[static_cast<std::size_t>(edge)]; }
 
  private:
-  void add(int count, int begin) {
-    for (int i = 0; i < count; ++i) numbers_.push_back(begin + count - 1 - i);
-  }
   std::vector<int> numbers_;
 };
 
 // Notches, darts and marks of a mirrored copy. It is walked the other way round, so the leg that came first now comes
 // second.
-void add_mirrored_marks(const Piece& from, const MirroredNumbers& number, Vec2 point, Vec2 axis, Piece& to) {
+void add_mirrored_marks(const Piece& from, const Numbers& number, Vec2 point, Vec2 axis, Piece& to) {
   for (const Notch& notch : from.notches) {
     to.notches.push_back({number(notch.edge), from.edge(notch.edge).curve.length() - notch.at, notch.written});
   }
@@ -102,11 +87,17 @@ bool lies_left(const Curve& curve, Vec2 point, Vec2 axis) {
   });
 }
 
-// The farthest that the rest of the outline reaches over the fold line, and which edge does.
-std::pair<double, const PieceEdge*> reach_over(const Piece& piece, const std::string& fold, Vec2 point, Vec2 axis) {
+// The farthest that the rest of the outline reaches over the fold line, and which edge does. Where holes lie is told by
+// check_holes().
+std::pair<double, const PieceEdge*> reach_over(const DraftPiece& draft, const Piece& piece, const std::string& fold,
+                                               Vec2 point, Vec2 axis) {
+  const auto is_rim = [&](const PieceEdge& edge) {
+    return std::none_of(draft.outline.begin(), draft.outline.end(),
+                        [&](const DraftEdge& drawn) { return drawn.name == edge.name; });
+  };
   std::pair<double, const PieceEdge*> worst{0, nullptr};
   for (const PieceEdge& edge : piece.edges) {
-    if (edge.name == fold || lies_left(edge.curve, point, axis)) continue;
+    if (edge.name == fold || is_rim(edge) || lies_left(edge.curve, point, axis)) continue;
     for (const Vec2 place : edge.curve.polygon(1e-5)) {
       const double over = -cross(axis, place - point);
       if (over > worst.first) worst = {over, &edge};
@@ -143,7 +134,7 @@ bool check_fold(const DraftPiece& draft, const DrawnPiece& drawn, Findings& find
         "cloth folds along straight lines: draw the edge by `line to`");
     return false;
   }
-  const auto [over, culprit] = reach_over(drawn.piece, *draft.fold, from, (to - from) / chord);
+  const auto [over, culprit] = reach_over(draft, drawn.piece, *draft.fold, from, (to - from) / chord);
   if (over > kStraight) {
     findings.error("E0307",
                    fmt::format("edge {} of piece {} reaches {} over the fold line", quoted(culprit->name),
@@ -155,48 +146,98 @@ bool check_fold(const DraftPiece& draft, const DrawnPiece& drawn, Findings& find
   return true;
 }
 
-Piece unfolded(const Piece& half, const std::string& fold) {
+namespace {
+
+// The half's outline between the parts of its fold, first what the whole's outline is made of and then the rims of
+// holes on the fold; each with the number of its first edge.
+struct Run {
+  int first = 0;
+  std::vector<PieceEdge> edges;
+};
+
+std::vector<Run> runs_between(const Piece& half, const std::string& fold, Vec2 axis) {
   const auto is_fold = [&](const PieceEdge& edge) { return edge.name == fold && !edge.is_dart_leg; };
-  const int fold_index =
-      static_cast<int>(std::find_if(half.edges.begin(), half.edges.end(), is_fold) - half.edges.begin());
-  const int n = static_cast<int>(half.edges.size()) - 1;
-  // Without the fold, and beginning behind it; the edges of holes move up by one.
-  const auto moved = [&](int edge) { return edge > n ? edge - 1 : (edge - fold_index - 1 + n + 1) % (n + 1); };
-
-  const LineSegment line{half.edges[fold_index].curve.start(), half.edges[fold_index].curve.end()};
-  const Vec2 axis = (line.to - line.from) / distance(line.from, line.to);
-  Piece drawn = half;
-  drawn.edges.clear();
-  for (int i = 1; i <= n; ++i) drawn.edges.push_back(half.edges[(fold_index + i) % (n + 1)]);
-  for (Notch& notch : drawn.notches) notch.edge = moved(notch.edge);
-  for (Dart& dart : drawn.darts) {
-    dart.left_leg = moved(dart.left_leg);
-    dart.right_leg = moved(dart.right_leg);
+  const int n = static_cast<int>(half.edges.size());
+  const auto begin = std::find_if(half.edges.begin(), half.edges.end(), is_fold) - half.edges.begin();
+  std::vector<Run> runs;
+  bool open = false;
+  for (int i = 1; i < n; ++i) {
+    const int number = static_cast<int>(begin + i) % n;
+    const PieceEdge& edge = half.edges[static_cast<std::size_t>(number)];
+    if (!is_fold(edge) && !open) runs.push_back({number, {}});
+    open = !is_fold(edge);
+    if (open) runs.back().edges.push_back(edge);
   }
-  for (Pleat& pleat : drawn.pleats) {
-    pleat = {pleat.name, moved(pleat.face), moved(pleat.under), moved(pleat.back), pleat.written};
-  }
+  // Along the fold the outline runs backwards, from its end to its beginning, and the rims forwards.
+  const auto outer = std::find_if(runs.begin(), runs.end(), [&](const Run& run) {
+    return dot(run.edges.back().curve.end() - run.edges.front().curve.start(), axis) < 0;
+  });
+  std::rotate(runs.begin(), outer, outer == runs.end() ? outer : outer + 1);
+  return runs;
+}
 
-  Piece whole = drawn;
-  whole.fold = line;
-  for (const PieceEdge& edge : mirrored_loop(drawn.edges, line.from, axis)) whole.edges.push_back(edge);
-  // The holes' edges come behind those of both halves, and the lines' behind those of all holes.
-  const int hole_edges = edges_of(drawn.holes), line_edges = edges_of(drawn.lines);
-  const auto behind = [&](int edge) {
-    return edge < n ? edge : edge < n + hole_edges ? edge + n : edge + n + hole_edges;
+}  // namespace
+
+Piece unfolded(const Piece& half, const std::string& fold) {
+  const PieceEdge& edge = *std::find_if(half.edges.begin(), half.edges.end(),
+                                        [&](const PieceEdge& e) { return e.name == fold && !e.is_dart_leg; });
+  const Vec2 point = edge.curve.start();
+  const Vec2 axis = (edge.curve.end() - point) / distance(edge.curve.end(), point);
+  const std::vector<Run> runs = runs_between(half, fold, axis);
+
+  Piece whole = half;
+  whole.fold = LineSegment{runs.front().edges.back().curve.end(), runs.front().edges.front().curve.start()};
+  whole.edges.clear();
+  whole.holes.clear();
+  std::vector<int> drawn_number(half.edges.size()), mirrored_number(half.edges.size());
+  int next = 0;
+  for (std::size_t r = 0; r < runs.size(); ++r) {
+    const std::vector<PieceEdge>& edges = runs[r].edges;
+    std::vector<PieceEdge> loop = edges;
+    for (PieceEdge& copy : mirrored_loop(edges, point, axis)) loop.push_back(std::move(copy));
+    const int count = static_cast<int>(edges.size());
+    for (int i = 0; i < count; ++i) {
+      const auto number = static_cast<std::size_t>((runs[r].first + i) % static_cast<int>(half.edges.size()));
+      drawn_number[number] = next + i;
+      mirrored_number[number] = next + 2 * count - 1 - i;
+    }
+    next += 2 * count;
+    if (r == 0) {
+      whole.edges = std::move(loop);
+    } else {
+      whole.holes.push_back(std::move(loop));
+    }
+  }
+  // Behind those of the outline and of the holes on the fold come the holes of both halves, then the lines of both.
+  Numbers drawn, mirrored;
+  for (std::size_t i = 0; i < half.edges.size(); ++i) {
+    drawn.add(1, drawn_number[i], false);
+    mirrored.add(1, mirrored_number[i], false);
+  }
+  const auto add_copies = [&](const std::vector<std::vector<PieceEdge>>& walks, auto& into) {
+    for (const auto& walk : walks) {
+      drawn.add(walk.size(), next, false);
+      next += static_cast<int>(walk.size());
+    }
+    for (const auto& walk : walks) {
+      mirrored.add(walk.size(), next, true);
+      next += static_cast<int>(walk.size());
+    }
+    into.insert(into.end(), walks.begin(), walks.end());
+    for (const auto& walk : walks) into.push_back(mirrored_loop(walk, point, axis));
   };
-  for (Notch& notch : whole.notches) notch.edge = behind(notch.edge);
+  add_copies(half.holes, whole.holes);
+  whole.lines.clear();
+  add_copies(half.lines, whole.lines);
+  for (Notch& notch : whole.notches) notch.edge = drawn(notch.edge);
   for (Dart& dart : whole.darts) {
-    dart.left_leg = behind(dart.left_leg);
-    dart.right_leg = behind(dart.right_leg);
+    dart.left_leg = drawn(dart.left_leg);
+    dart.right_leg = drawn(dart.right_leg);
   }
   for (Pleat& pleat : whole.pleats) {
-    pleat = {pleat.name, behind(pleat.face), behind(pleat.under), behind(pleat.back), pleat.written};
+    pleat = {pleat.name, drawn(pleat.face), drawn(pleat.under), drawn(pleat.back), pleat.written};
   }
-  for (const auto& hole : drawn.holes) whole.holes.push_back(mirrored_loop(hole, line.from, axis));
-  for (const auto& inner : drawn.lines) whole.lines.push_back(mirrored_loop(inner, line.from, axis));
-  const MirroredNumbers numbers(drawn, n, 2 * n + hole_edges, 2 * n + 2 * hole_edges + line_edges);
-  add_mirrored_marks(drawn, numbers, line.from, axis, whole);
+  add_mirrored_marks(half, mirrored, point, axis, whole);
   return whole;
 }
 
@@ -214,8 +255,16 @@ Piece mirrored_copy(const Piece& piece) {
   copy.pleats.clear();
   copy.marks.clear();
   copy.spots.clear();
-  const int outline = static_cast<int>(piece.edges.size());
-  add_mirrored_marks(piece, {piece, 0, outline, outline + edges_of(piece.holes)}, origin, axis, copy);
+  Numbers numbers;
+  int next = 0;
+  const auto add = [&](const std::vector<PieceEdge>& walk) {
+    numbers.add(walk.size(), next, true);
+    next += static_cast<int>(walk.size());
+  };
+  add(piece.edges);
+  for (const auto& hole : piece.holes) add(hole);
+  for (const auto& inner : piece.lines) add(inner);
+  add_mirrored_marks(piece, numbers, origin, axis, copy);
   return copy;
 }
 

@@ -30,7 +30,7 @@ std::optional<EdgePlace> find_place(const DrawnPiece& drawn, const std::string& 
       const PieceEdge& part = loop[i];
       if (part.is_dart_leg || part.name != edge) continue;
       if (at < part.drawn.from - kSamePlace || at > part.drawn.to + kSamePlace) continue;
-      const double along = drawn.as_drawn[l] ? at - part.drawn.from : part.drawn.to - at;
+      const double along = part.against_drawing ? part.drawn.to - at : at - part.drawn.from;
       return EdgePlace{l, i, std::clamp(along * stretch_of(part), 0.0, part.curve.length())};
     }
   }
@@ -40,7 +40,7 @@ std::optional<EdgePlace> find_place(const DrawnPiece& drawn, const std::string& 
 double drawn_place(const DrawnPiece& drawn, const EdgePlace& place) {
   const PieceEdge& edge = drawn.loop(place.loop)[place.edge];
   const double along = place.s / stretch_of(edge);
-  return drawn.as_drawn[place.loop] ? edge.drawn.from + along : edge.drawn.to - along;
+  return edge.against_drawing ? edge.drawn.to - along : edge.drawn.from + along;
 }
 
 std::optional<EdgePlace> find_leg(const DrawnPiece& drawn, const std::string& name) {
@@ -60,8 +60,8 @@ void divide_edge(DrawnPiece& drawn, const EdgePlace& place) {
   PieceEdge second = first;
   second.curve = first.curve.part(place.s, first.curve.length());
   first.curve = first.curve.part(0, place.s);
-  (drawn.as_drawn[place.loop] ? first.drawn.to : first.drawn.from) = at;
-  (drawn.as_drawn[place.loop] ? second.drawn.from : second.drawn.to) = at;
+  (first.against_drawing ? first.drawn.from : first.drawn.to) = at;
+  (second.against_drawing ? second.drawn.to : second.drawn.from) = at;
   loop.insert(loop.begin() + place.edge + 1, std::move(second));
 }
 

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <optional>
+#include <set>
 #include <string>
 #include <unordered_map>
 #include <utility>
@@ -83,6 +84,27 @@ std::unordered_map<std::string, PieceUse> uses_of(const DraftGarment& draft) {
   return uses;
 }
 
+// A sewn piece takes part once, however often it is cut.
+void check_quantities(const Garment& garment, Findings& findings) {
+  std::set<PieceId> sewn;
+  for (const Seam& seam : garment.seams) {
+    if (seam.is_dart || seam.is_pleat) continue;
+    for (const Chain* chain : {&seam.first, &seam.second}) {
+      for (const ChainLink& link : *chain) sewn.insert(link.edge.piece);
+    }
+  }
+  for (const PieceId id : sewn) {
+    const Piece& piece = garment.pieces[id];
+    if (piece.quantity <= piece.plies || piece.side == Side::Mirrored) continue;
+    findings.warning(
+        "W0340",
+        fmt::format("piece {} is cut {} times, and one of them is sewn", quoted(piece.drawn_name), piece.quantity),
+        {{piece.written, "the others are in no seam"}},
+        "write `cut 2 mirrored` for a left and a right one, give the other a name of its own, `piece other = " +
+            piece.drawn_name + " with { ... }`, or say `plies` for layers that are sewn as one");
+  }
+}
+
 Garment made_of(const DraftGarment& draft, Findings& findings) {
   Garment garment{draft.name, {}, {}, {}, {}, draft.fabric, draft.textile, draft.drawn_on, draft.written};
   std::unordered_map<std::string, PieceUse> uses = uses_of(draft);
@@ -97,7 +119,7 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   SewnCorners corners(garment.pieces);
   garment.seams = dart_seams(garment.pieces, corners);
   const std::vector<std::vector<Seam>> seams = resolve_seams(draft, garment.pieces, corners, findings);
-  check_sewn_once(draft, seams, garment.pieces, findings);
+  const std::set<std::size_t> told = check_sewn_once(draft, seams, garment.pieces, findings);
   for (const std::vector<Seam>& copies : seams) {
     garment.seams.insert(garment.seams.end(), copies.begin(), copies.end());
   }
@@ -107,10 +129,11 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   garment.wears = resolve_wears(draft, garment.pieces, seams, corners, findings.errors() == 0, findings);
   garment.arrangements = resolve_arrangements(draft, garment.pieces);
   check_worn_once(garment.wears, garment.pieces, findings);
-  check_lengths(draft, seams, garment.pieces, findings);
+  check_lengths(draft, seams, garment.pieces, told, findings);
   // What follows would only repeat that something is sewn wrongly.
   if (findings.errors() == 0) check_ties(draft, garment, findings);
   if (findings.errors() == 0) check_gaps(garment, findings);
+  if (findings.errors() == 0) check_quantities(garment, findings);
   add_tied_notches(garment.seams, garment.pieces);
   return garment;
 }

@@ -151,20 +151,40 @@ bool hole_names_differ(const DraftPiece& draft, Findings& findings) {
   return good;
 }
 
-// Half a hole drawn about the fold is no closed line, and a whole one lies in cloth that is not drawn.
-bool reaches_fold(const DraftPiece& draft, const DraftInner& hole, const Curve& rim, const std::string& owner,
+// Of a hole on the fold half is drawn: a whole one lies in cloth that is not there.
+bool crosses_fold(const DraftPiece& draft, const DraftInner& hole, const Curve& rim, const std::string& owner,
                   Findings& findings) {
   for (const DraftEdge& edge : draft.outline) {
-    if (draft.fold != edge.name) continue;
-    const auto on_fold = [&](Vec2 p) { return distance(edge.curve.at(nearest_place(edge.curve, p)), p) < kOpen; };
-    const bool half = distance(rim.start(), rim.end()) > kOpen && on_fold(rim.start()) && on_fold(rim.end());
-    if (!half && crossings(rim, edge.curve).empty()) continue;
+    if (draft.fold != edge.name || crossings(rim, edge.curve).empty()) continue;
     findings.error("E0314",
                    fmt::format("{} lies across the fold {} of piece {}", owner, quoted(edge.name), quoted(draft.name)),
                    {{hole.written, "this hole"}, {draft.fold_written, "the fold"}},
-                   "draw the whole piece, without `fold`, to have a hole in its middle");
+                   "draw half of it, from the fold to the fold, on the side of the cloth");
     return true;
   }
+  return false;
+}
+
+Location fold_edge_written(const DraftPiece& draft) {
+  for (const DraftEdge& edge : draft.outline) {
+    if (draft.fold == edge.name) return edge.written;
+  }
+  return {};
+}
+
+// A hole's edges as a closed line: those of a half with the fold between their ends.
+Curve rim_of(const DraftPiece& draft, const DraftInner& hole) {
+  const Curve drawn = loop_of(hole.edges);
+  return is_half(draft, hole) ? join({drawn, line(drawn.end(), drawn.start())}) : drawn;
+}
+
+// By itself: the edges have lengths, follow each other, cross nowhere and bound something.
+bool check_rim(const DraftPiece& draft, const DraftInner& hole, const std::string& owner, Findings& findings) {
+  if (!is_half(draft, hole)) return check_loop(owner, hole.edges, hole.written, findings);
+  if (!lengths_are_sane(owner, hole.edges, findings) || crosses_itself(owner, hole.edges, findings)) return false;
+  const Curve rim = rim_of(draft, hole);
+  if (std::abs(signed_area(rim)) > kSliver * rim.length() * rim.length()) return true;
+  findings.error("E0304", fmt::format("the outline of {} encloses no area", owner), {{hole.written, "on the fold"}});
   return false;
 }
 
@@ -186,11 +206,16 @@ bool check_holes(const DraftPiece& draft, Findings& findings) {
     const std::string owner = hole_of(draft, hole);
     names_differ(owner, hole.edges, findings);
     const Curve rim = loop_of(hole.edges);
+    const bool half = is_half(draft, hole);
     const bool has_length = rim.length() > kNoLength && rim.length() < kAbsurd;  // false for NaN
-    if (has_length && reaches_fold(draft, hole, rim, owner, findings)) continue;
-    if (!check_loop(owner, hole.edges, hole.written, findings)) continue;
+    if (has_length && !half && crosses_fold(draft, hole, rim, owner, findings)) continue;
+    if (!check_rim(draft, hole, owner, findings)) continue;
     const auto meets = [&](const std::string& other, const Curve& curve, Location written) {
-      const std::vector<Crossing> found = crossings(rim, curve);
+      std::vector<Crossing> found = crossings(rim, curve);
+      std::erase_if(found, [&](const Crossing& crossing) {
+        const bool at_end = std::min(crossing.s_first, rim.length() - crossing.s_first) < kOpen;
+        return half && at_end && written == fold_edge_written(draft);
+      });
       if (found.empty()) return false;
       findings.error("E0314", fmt::format("{} meets {} at {}", owner, other, place(found[0].point)),
                      {{hole.written, "this hole"}, {written, "reaches it"}}, "keep a hole clear of other edges");
@@ -200,15 +225,17 @@ bool check_holes(const DraftPiece& draft, Findings& findings) {
       return meets("edge " + quoted(edge.name), edge.curve, edge.written);
     });
     if (crossed) continue;
-    if (!region.contains(rim.start())) {
+    const Vec2 inside = half ? rim.at(rim.length() / 2) : rim.start();
+    if (!region.contains(inside)) {
       findings.error("E0314", fmt::format("{} lies outside of its piece", owner),
-                     {{hole.written, "starts at " + place(rim.start())}, {draft.written, "the piece"}});
+                     {{hole.written, (half ? "passes " : "starts at ") + place(inside)}, {draft.written, "the piece"}});
     }
     for (std::size_t other = 0; other < h; ++other) {
-      const Curve other_rim = loop_of(draft.holes[other].edges);
+      const Curve other_rim = rim_of(draft, draft.holes[other]);
       const std::string name = hole_of(draft, draft.holes[other]);
-      if (meets(name, other_rim, draft.holes[other].written)) continue;
-      if (Region(other_rim).contains(rim.start()) || Region(rim).contains(other_rim.start())) {
+      if (meets(name, loop_of(draft.holes[other].edges), draft.holes[other].written)) continue;
+      const Vec2 on_other = other_rim.at(loop_of(draft.holes[other].edges).length() / 2);
+      if (Region(other_rim).contains(rim.at(rim.length() / 2)) || Region(rim_of(draft, hole)).contains(on_other)) {
         findings.error("E0314", fmt::format("{} and {} lie one inside the other", owner, name),
                        {{hole.written, ""}, {draft.holes[other].written, ""}});
       }

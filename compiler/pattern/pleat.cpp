@@ -84,8 +84,9 @@ class PleatCutter {
   }
 
   Vec2 drawn_tangent(const EdgePlace& place) const {
-    const Vec2 t = drawn_.loop(place.loop)[place.edge].curve.tangent(place.s);
-    return drawn_.as_drawn[place.loop] ? t : -t;
+    const PieceEdge& edge = drawn_.loop(place.loop)[place.edge];
+    const Vec2 t = edge.curve.tangent(place.s);
+    return edge.against_drawing ? -t : t;
   }
 
   // Which way the fold of a knife pleat points: as it is pressed, else away from the centre.

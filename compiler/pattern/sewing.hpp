@@ -3,6 +3,7 @@
 
 #include <array>
 #include <optional>
+#include <set>
 #include <string>
 #include <string_view>
 #include <unordered_map>
@@ -111,12 +112,12 @@ bool tie_places(const DraftSeam& draft, const std::vector<Piece>& pieces, Seam& 
 void add_tied_notches(const std::vector<Seam>& seams, std::vector<Piece>& pieces);
 
 /// Each edge is sewn once, and not point by point to itself.
-void check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
-                     const std::vector<Piece>& pieces, Findings& findings);
+std::set<std::size_t> check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
+                                      const std::vector<Piece>& pieces, Findings& findings);
 void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& pieces, Findings& findings);
 /// The two sides of a seam are equally long within half a millimetre or a thousandth, or differ as the script allows.
 void check_lengths(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
-                   const std::vector<Piece>& pieces, Findings& findings);
+                   const std::vector<Piece>& pieces, const std::set<std::size_t>& told, Findings& findings);
 
 /// Warns of a seam along whose line a piece is left for another place of the same piece.
 void check_gaps(const Garment& garment, Findings& findings);

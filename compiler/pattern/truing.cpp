@@ -94,8 +94,8 @@ void true_closed_dart(DrawnPiece& drawn, const CutDart& dart) {
     std::vector<PieceEdge>& loop = drawn.loop(l);
     for (std::size_t i = 0; i < loop.size(); ++i) {
       PieceEdge &before = loop[i], &after = loop[(i + 1) % loop.size()];
-      const double ends = drawn.as_drawn[l] ? before.drawn.to : before.drawn.from;
-      const double meets = drawn.as_drawn[l] ? dart.mouth.from : dart.mouth.to;
+      const double ends = before.against_drawing ? before.drawn.from : before.drawn.to;
+      const double meets = before.against_drawing ? dart.mouth.to : dart.mouth.from;
       const bool joined =
           before.name == dart.edge && after.name == dart.edge && !before.is_dart_leg && !after.is_dart_leg;
       if (!joined || std::abs(ends - meets) > kNear) continue;

@@ -78,7 +78,12 @@ void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& p
       findings.error(
           "E0318", fmt::format("edge {} is worn twice", quoted(piece.drawn_name + "." + edge.name)),
           {{wear.written, "the second time"}, {before->second, "the first time"}, {edge.written, "the edge"}},
-          "an edge is worn at one line of the body");
+          edge.side == Side::Mirrored
+              ? fmt::format(
+                    "without a side both copies are meant: write `{0}.{1}.drawn` for the one and `{0}.{1}.mirrored` "
+                    "for the other",
+                    piece.drawn_name, edge.name)
+              : "an edge is worn at one line of the body");
       break;
     }
   }

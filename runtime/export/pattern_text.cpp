@@ -5,30 +5,25 @@
 #include <cmath>
 #include <iterator>
 #include <numbers>
+#include <string_view>
+#include <variant>
+
+#include "compiler/pattern/decimal.hpp"
+#include "compiler/pattern/fabric_rows.hpp"
 
 namespace toile {
 namespace {
 
 constexpr double degree = std::numbers::pi / 180;
-constexpr double gram_force = 0.00980665;  // [N]
-
-std::string plain(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
 
 std::string in_cm_text(double metres) {
-  return plain(100 * metres, 4) + "cm";
+  return decimal(100 * metres, 4) + "cm";
 }
 std::string point_text(Vec2 point) {
   return fmt::format("({}, {})", in_cm_text(point.x), in_cm_text(point.y));
 }
 std::string angle_text(double angle) {
-  return plain(angle / degree, 3) + "deg";
+  return decimal(angle / degree, 3) + "deg";
 }
 
 class PatternWriter {
@@ -51,54 +46,30 @@ class PatternWriter {
     fmt::format_to(std::back_inserter(text_), form, std::forward<Values>(values)...);
   }
 
-  void row(const char* name, const std::optional<WarpWeft>& value, double unit, const char* written) {
-    if (!value) return;
-    put("  {} {:.10g}{}", name, value->warp / unit, written);
-    if (value->weft != value->warp) put(", {:.10g}{}", value->weft / unit, written);
-    put("\n");
-  }
-  void row(const char* name, const std::optional<double>& value, double unit, const char* written) {
-    if (value) put("  {} {:.10g}{}\n", name, *value / unit, written);
+  void write_row(const FabricRow& row, const FabricSheet& sheet) {
+    const bool compound = row.unit.find_first_of("*/") != std::string_view::npos;
+    const std::string unit = row.unit == "1" ? "" : (compound ? " " : "") + std::string(row.unit);
+    const auto write = [&](double warp, double weft) {
+      put("  {} {:.10g}{}", row.name, warp / row.size, unit);
+      if (weft != warp) put(", {:.10g}{}", weft / row.size, unit);
+      put("\n");
+    };
+    if (const auto* both = std::get_if<std::optional<WarpWeft> FabricSheet::*>(&row.place)) {
+      if (sheet.*(*both)) write((sheet.*(*both))->warp, (sheet.*(*both))->weft);
+    } else if (const auto& value = sheet.*std::get<std::optional<double> FabricSheet::*>(row.place)) {
+      write(*value, *value);
+    }
   }
 
   std::string write_fabric(const std::string& source) {
     const FabricSheet& sheet = redrawn_.draft.fabric;
     std::string name = (sheet.name.empty() ? "cloth" : sheet.name) + "_of_" + redrawn_.draft.name;
     put("// Developed by {}: each edge lies within {} mm of the solved outline.\n", source,
-        plain(1000 * std::max(redrawn_.error, 1e-5), 2));
+        decimal(1000 * std::max(redrawn_.error, 1e-5), 2));
     for (const std::string& note : notes_) put("// {}\n", note);
     put("\n");
     put("fabric {} {{\n", name);
-    row("LT", sheet.lt, 1, "");
-    row("WT", sheet.wt, 100 * gram_force, " gf*cm/cm^2");
-    row("RT", sheet.rt, 0.01, "%");
-    row("EMT", sheet.emt, 0.01, "%");
-    row("G", sheet.g, 100 * gram_force / degree, " gf/cm/deg");
-    row("2HG", sheet.hg, 100 * gram_force, " gf/cm");
-    row("2HG5", sheet.hg5, 100 * gram_force, " gf/cm");
-    row("B", sheet.b, 0.01 * gram_force, " gf*cm^2/cm");
-    row("2HB", sheet.hb, gram_force, " gf*cm/cm");
-    row("twist", sheet.twist, 0.01 * gram_force, " gf*cm^2/cm");
-    row("LC", sheet.lc, 1, "");
-    row("WC", sheet.wc, 100 * gram_force, " gf*cm/cm^2");
-    row("RC", sheet.rc, 0.01, "%");
-    row("T0", sheet.t0, 0.001, "mm");
-    row("Tm", sheet.tm, 0.001, "mm");
-    row("W", sheet.weight, 0.01, " mg/cm^2");
-    row("MIU", sheet.miu, 1, "");
-    row("MMD", sheet.mmd, 1, "");
-    row("SMD", sheet.smd, 1e-6, "um");
-    row("stretch", sheet.stretch, 1, " N/m");
-    row("shear", sheet.shear, 1, " N/m");
-    row("B45", sheet.b45, 0.01 * gram_force, " gf*cm^2/cm");
-    row("E5", sheet.e5, 0.01, "%");
-    row("E20", sheet.e20, 0.01, "%");
-    row("E100", sheet.e100, 0.01, "%");
-    row("EB5", sheet.eb5, 0.01, "%");
-    row("C", sheet.c, 0.001, "mm");
-    row("C45", sheet.c45, 0.001, "mm");
-    row("T2", sheet.t2, 0.001, "mm");
-    row("T100", sheet.t100, 0.001, "mm");
+    for (const FabricRow& row : fabric_rows()) write_row(row, sheet);
     put("}}\n\n");
     return name;
   }

@@ -8,6 +8,7 @@
 #include <iterator>
 #include <string_view>
 
+#include "compiler/pattern/decimal.hpp"
 #include "grammar/scan.hpp"
 #include "runtime/import/arrangement.hpp"
 #include "runtime/import/names.hpp"
@@ -22,19 +23,9 @@ constexpr double most_ease = 0.1;  // of the longer side
 constexpr const char* waist_label = "lower_interface";
 constexpr double most_gather = 4;  // times the shorter side; nobody gathers more
 
-/// At most `decimals` of them, none that is superfluous, and no -0.
-std::string plain(double value, int decimals) {
-  std::string text = fmt::format("{:.{}f}", value, decimals);
-  if (text.find('.') != std::string::npos) {
-    text.erase(text.find_last_not_of('0') + 1);
-    if (text.ends_with('.')) text.pop_back();
-  }
-  return text == "-0" ? "0" : text;
-}
-
 /// To 10 nm.
 std::string written(double metres) {
-  return plain(100 * metres, 6) + "cm";
+  return decimal(100 * metres, 6) + "cm";
 }
 
 std::string written(Vec2 point) {
@@ -43,7 +34,7 @@ std::string written(Vec2 point) {
 
 /// To 0.1 mm, less than what a seam lets pass in addition to what is stated.
 std::string rough(double metres) {
-  return plain(100 * metres, 2) + "cm";
+  return decimal(100 * metres, 2) + "cm";
 }
 
 /// For a comment: one line of readable text, whatever a file or its name says.
@@ -143,7 +134,7 @@ class Writer {
     const ScriptPlace place = script_place(*panel.placement, twice_area(panel) < 0);
     put("arrange {} at ({}, {}, {})", piece_names_[number], written(place.at[0]), written(place.at[1]),
         written(place.at[2]));
-    const auto angle = [](double degrees) { return plain(degrees, 4) + "deg"; };
+    const auto angle = [](double degrees) { return decimal(degrees, 4) + "deg"; };
     if (std::ranges::any_of(place.turn, [](double degrees) { return std::abs(degrees) > 1e-6; })) {
       put(" turned ({}, {}, {})", angle(place.turn[0]), angle(place.turn[1]), angle(place.turn[2]));
     }

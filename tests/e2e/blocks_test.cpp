@@ -47,18 +47,25 @@ const char* const blouse = R"(import bodies
 import blocks
 import fabrics
 import sizing
-body form = bodies.dress_form(sizing.women..., armhole: 34cm, upper_arm: 26cm, arm_angle: 40deg)
+let over_6 = sizing.women.bust - 80cm
+body form = bodies.dress_form(
+  sizing.women...,
+  armhole: 34cm + 0.42 * over_6, upper_arm: 26cm + 0.3 * over_6, arm_angle: 40deg
+)
 garment blouse in fabrics.cotton_shirting {
   let block = blocks.bodice(form)
   piece front  = block.front
   piece back   = block.back
-  piece sleeve = blocks.set_in_sleeve(block.front_scye, block.back_scye, block.cap_height, length: 45cm)
+  piece sleeve = blocks.set_in_sleeve(block.front_scye, block.back_scye, block.cap_height, length: 40cm)
+  piece cuff   = blocks.cuff(length(sleeve.hem))
   sew  front.side to back.side
   sew  front.shoulder to back.shoulder
   sew  back.centre to back.centre
   sew  sleeve.front_cap to front.armhole ease 1cm
   sew  sleeve.back_cap to back.armhole ease 1cm
   sew  sleeve.front_seam to sleeve.back_seam
+  sew  cuff.left to cuff.right
+  sew  cuff.head to sleeve.hem
   wear front.neck + back.neck at form.neck placed
   wear sleeve.front_cap.mirrored + sleeve.back_cap.mirrored at form.left_armhole placed
   wear sleeve.front_cap.drawn + sleeve.back_cap.drawn at form.right_armhole placed
@@ -66,21 +73,35 @@ garment blouse in fabrics.cotton_shirting {
 drape blouse on form as worn to 1e-2
 expect worn.solve.converged == 1
 expect worn.bounds.width > 70cm    // the sleeves lie along the arms
-expect worn.contact.max_penetration < 12mm    // and press where these leave the trunk
+expect worn.contact.max_penetration < 14mm    // and press where these leave the trunk
 )";
 
-const char* const band_and_collar = R"(import bodies
+const char* const band_pocket_and_collar = R"(import bodies
 import blocks
 import fabrics
-body form = bodies.dress_form()
+import sizing
+body form = bodies.dress_form(sizing.women..., arm_angle: 40deg)
 garment skirt in fabrics.wool_serge {
-  let block = blocks.half_circle_skirt(form)
-  piece skirt = block.skirt
-  piece band  = blocks.waistband(2 * length(block.skirt.waist), depth: 3cm)
-  sew  skirt.back to skirt.back
+  let block = blocks.straight_skirt(form)
+  piece front = block.front with {
+    line place from (3cm, -16cm) {
+      left  = line to (3cm, -26cm)
+      toe   = line to (9cm, -28cm)
+      foot  = line to (15cm, -26cm)
+      right = line to (15cm, -16cm)
+    }
+  }
+  piece back   = block.back
+  piece pocket = blocks.patch_pocket(width: 12cm, height: 12cm) with {
+    cut 2 mirrored
+  }
+  piece band = blocks.waistband(2 * (front.sewn.waist + back.sewn.waist), depth: 3cm)
+  sew  front.hip to back.hip
+  sew  front.side to back.side
+  sew  pocket.left + pocket.toe + pocket.foot + pocket.right to front.place
   sew  band.left to band.right
-  sew  band.foot to skirt.waist
-  wear band.head at form.waist
+  sew  band.foot to front.waist + back.waist
+  wear band.head at form.waist from 25%
 }
 garment top in fabrics.cotton_shirting {
   let block = blocks.bodice(form)
@@ -95,10 +116,10 @@ garment top in fabrics.cotton_shirting {
 }
 drape skirt on form as low to 1e-2
 expect low.solve.converged == 1 and low.contact.weight_error < 1%
-expect low.contact.max_penetration < 3mm
+expect low.contact.max_penetration < 4mm and low.self.intersecting_triangle_pairs == 0
 drape top on form as high to 1e-2
 expect high.solve.converged == 1 and high.contact.weight_error < 1%
-expect high.bounds.high > form.neck.level - 1cm    // the collar stands
+expect high.bounds.high > form.neck.level + 2cm    // the collar stands
 )";
 
 class DrapedBlocks : public testing::TestWithParam<std::string> {};
@@ -117,17 +138,17 @@ TEST_P(DrapedBlocks, TrousersAsWell) {
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
 }
 
-TEST(DrapedParts, AWaistbandHoldsASkirtAndACollarStands) {
+TEST_P(DrapedBlocks, AWaistbandHoldsASkirtAPocketLiesOnItAndACollarStands) {
   const CommandLine call;
-  call.scratch.write("parts.toile", band_and_collar);
-  const Called ran = call.toile("run parts.toile --triangles 700");
+  call.scratch.write("parts.toile", band_pocket_and_collar);
+  const Called ran = call.toile(fmt::format("run parts.toile --size {} --triangles 700", GetParam()));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
 }
 
-TEST(DrapedBlouse, HasItsArmsInItsSleeves) {
+TEST_P(DrapedBlocks, ABlouseHasItsArmsInItsSleevesAndTheirCuffs) {
   const CommandLine call;
   call.scratch.write("blouse.toile", blouse);
-  const Called ran = call.toile("run blouse.toile --size 10 --triangles 900");
+  const Called ran = call.toile(fmt::format("run blouse.toile --size {} --triangles 900", GetParam()));
   EXPECT_EQ(ran.exit_code, 0) << ran.err;
 }
 

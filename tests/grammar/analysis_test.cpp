@@ -42,6 +42,8 @@ template <typename Name, syntax::StatementWords Words>
 struct analyze_traits<Name, syntax::rules::not_outside<Words>> : analyze_opt_traits<> {};
 
 template <typename Name>
+struct analyze_traits<Name, syntax::rules::end_of_part> : analyze_seq_traits<syntax::rules::operators> {};
+template <typename Name>
 struct analyze_traits<Name, syntax::rules::before_list> : analyze_opt_traits<> {};
 template <typename Name>
 struct analyze_traits<Name, syntax::rules::named_next> : analyze_opt_traits<> {};

@@ -63,7 +63,7 @@ const std::map<std::string, std::set<std::string>> allowed{
      {"compiler/curve", "compiler/pattern", "compiler/pmesh", "compiler/smesh", "runtime/mesh", "runtime/body",
       "runtime/contact", "runtime/drape", "runtime/develop", "runtime/field", "runtime/export"}},
     // other programs' patterns: files to plain structs to the text of a script
-    {"runtime/import", {"grammar", "compiler/curve"}},
+    {"runtime/import", {"grammar", "compiler/curve", "compiler/pattern"}},
     {"stdlib", {}},
     // the one place that sees both sides, and the command line above it
     {"runtime/driver",

@@ -1,6 +1,8 @@
 // Fabrics as KES sheets, textiles as thread counts, bodies by parts.
 #include <gmock/gmock.h>
 
+#include "compiler/pattern/fabric_rows.hpp"
+#include "compiler/units/unit.hpp"
 #include "tests/compiler/front/front.hpp"
 
 namespace toile::test {
@@ -187,6 +189,13 @@ TEST(StandardLibrary, EveryFabricPrintAndBodyIsSound) {
   for (const Module& module : stdlib_modules()) {
     Script script("import \"whole.toile\"\n", {}, {{"whole.toile", std::string(module.text)}});
     EXPECT_THAT(script.told(), IsEmpty()) << module.name << "\n" << script.rendered();
+  }
+}
+
+TEST(FabricRows, HaveTheSizesOfTheirUnits) {
+  for (const FabricRow& row : fabric_rows()) {
+    if (row.unit == "1") continue;
+    EXPECT_NEAR(row.size, parse_unit(row.unit)->factor, 1e-12 * row.size) << row.name;
   }
 }
 

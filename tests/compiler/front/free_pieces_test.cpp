@@ -48,6 +48,44 @@ TEST(FreePieces, InAGarmentSeeItsNames) {
   EXPECT_EQ(script.program->garments().front().pieces.size(), 1u);
 }
 
+TEST(FreePieces, AreVariedWhereTheyAreTaken) {
+  // What `band` computes from its parameters is computed anew; `end` around the wall is not the garment's.
+  const std::string parts =
+      "import \"parts.toile\"\ngarment g {\n  let end = 3cm\n  piece a = parts.band(20cm) with {\n"
+      "    let depth = 2 * end\n    label \"{depth}\"\n  }\n  piece b = a with {\n    outline {\n"
+      "      foot = line to (20cm + end, 0cm)\n    }\n  }\n  piece c = parts.tube.wall with {\n    cut 3 plies 3\n  }\n"
+      "  sew a.head to c.foot\n  sew b.head to c.head ease\n}\n"
+      "print length(g.a.right), length(g.b.foot), length(g.c.right)\n";
+  Script varied(parts, {}, {{"parts.toile", band + "garment tube {\n  let end = 9cm\n  piece wall = band(20cm)\n}\n"}});
+  ASSERT_THAT(varied.told(), IsEmpty());
+  EXPECT_THAT(varied.printed(), ElementsAre("6 cm 23 cm 4 cm"));
+  EXPECT_EQ(varied.program->garments().back().pieces[0].label, "6 cm");
+  EXPECT_EQ(varied.program->garments().back().pieces[2].quantity, 3);
+}
+
+TEST(FreePieces, AreVariedAtTheTopOfAFile) {
+  Script script(band +
+                "piece tall = band(9cm) with {\n  let depth = 12cm\n}\npiece wide(by) = band(by) with {\n"
+                "  label \"{by}\"\n}\ngarment g {\n  piece a = tall\n  piece b = wide(12cm)\n"
+                "  sew a.right to b.foot\n}\nprint length(tall.right)\n");
+  ASSERT_THAT(script.told(), IsEmpty());
+  EXPECT_THAT(script.printed(), ElementsAre("12 cm"));
+  EXPECT_EQ(script.program->garments().front().pieces[1].label, "12 cm");
+}
+
+TEST(FreePieces, DoNotSeeWhatAVariationOnlyHasForItself) {
+  // `w` is a let around the model, and another one in the variation.
+  const std::string parts =
+      "garment g {\n  let w = 10cm\n  piece p {\n    outline from (0cm, 0cm) {\n      a = line to (w, 0cm)\n"
+      "      b = line to (w, 5cm)\n      c = line to start\n    }\n  }\n}\n";
+  Script script(
+      "import \"parts.toile\"\ngarment h {\n  piece q = parts.g.p with {\n    let w = 2cm\n    notch at w of a\n"
+      "  }\n}\nprint length(h.q.a), h.q.w\n",
+      {}, {{"parts.toile", parts}});
+  ASSERT_THAT(script.told(), IsEmpty());
+  EXPECT_THAT(script.printed(), ElementsAre("10 cm 2 cm"));
+}
+
 TEST(FreePieces, MistakesAreToldWhereTheyAre) {
   EXPECT_THAT(Script(band + "garment g {\n  piece a = band(depth: 3cm)\n}\n").told(),
               ElementsAre(StartsWith("E0108 10:13 `band` needs `around`")));
@@ -56,8 +94,12 @@ TEST(FreePieces, MistakesAreToldWhereTheyAre) {
   EXPECT_THAT(Script("garment g {\n  piece a = 3cm\n}\n").told(),
               ElementsAre(StartsWith("E0202 2:13 a piece is wanted here")));
   EXPECT_THAT(
-      Script(band + "garment g {\n  piece a = band(9cm)\n  piece b = a with {\n    label \"b\"\n  }\n}\n").told(),
-      ElementsAre(StartsWith("E0120 11:13 piece `a` is drawn elsewhere")));
+      Script(band + "garment g {\n  piece a = band(9cm)\n  piece b = a with {\n    outline {\n      fot = line to "
+                    "(9cm, 0cm)\n    }\n  }\n}\n")
+          .told(),
+      ElementsAre(StartsWith("E0308 13:7 piece `a` has no edge `fot` to replace")));
+  EXPECT_THAT(Script("garment g {\n  piece b = nothing.at_all with {\n  }\n}\n").told(),
+              ElementsAre(StartsWith("E0101 2:13")));
   EXPECT_THAT(
       Script("piece p {\n  outline from (0cm, 0cm) {\n    a = line to (wide, 0cm)\n    b = line to start\n  }\n}\n")
           .told(),

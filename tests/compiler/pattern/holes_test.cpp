@@ -118,16 +118,64 @@ TEST(Holes, OnTheFoldAreRefused) {
   const Made made = make(garment({piece}));
   ASSERT_THAT(codes(made), ElementsAre("E0314"));
   EXPECT_EQ(made.diagnostics[0].message, "hole `neck` lies across the fold `left` of piece `front`");
-  EXPECT_THAT(made.diagnostics[0].help, HasSubstr("draw the whole piece"));
+  EXPECT_THAT(made.diagnostics[0].help, HasSubstr("draw half of it"));
 }
 
-TEST(Holes, OfWhichOneHalfIsDrawnAtTheFoldAreRefused) {
+DraftPiece with_half_hole(Vec2 from, Vec2 through, Vec2 to) {
   DraftPiece piece = folded(rectangle("front", 0.3, 0.5), "left");
-  DraftInner half = round_hole("neck", {0, 0.3}, 0.06);
-  half.edges.resize(1);
-  half.edges.front().curve = arc_through({0, 0.24}, {0.06, 0.3}, {0, 0.36});
-  piece.holes = {half};
-  EXPECT_THAT(codes(make(garment({piece}))), ElementsAre("E0314"));
+  piece.holes = {{"neck", {edge("rim", arc_through(from, through, to))}, next_place()}};
+  return piece;
+}
+
+TEST(Holes, OfWhichOneHalfIsDrawnAtTheFoldAreCutWhole) {
+  for (const bool upwards : {false, true}) {
+    const Vec2 low{0, 0.24}, high{0, 0.36};
+    DraftPiece piece = with_half_hole(upwards ? low : high, {0.06, 0.3}, upwards ? high : low);
+    piece.notches = {{"neck.rim", 0.05, next_place()}};
+    const Made made =
+        make(garment({piece, rectangle("collar", 2 * pi * 0.06, 0.04)},
+                     {sew({"collar.left"}, {"collar.right"}), sew({"collar.bottom"}, {"front.neck.rim"})}));
+    ASSERT_EQ(complaints(made), "");
+    const Piece& front = made.garment.pieces[0];
+    EXPECT_EQ(front.edges.size(), 6u);
+    ASSERT_EQ(front.holes.size(), 1u);
+    EXPECT_EQ(front.edge(6).name, "neck.rim");
+    EXPECT_EQ(front.edge(7).side, Side::Mirrored);
+    EXPECT_EQ(front.next_edge(7), 6);
+    EXPECT_NEAR(front.edge(6).curve.length() + front.edge(7).curve.length(), 2 * pi * 0.06, 1e-9);
+    for (const int number : {6, 7}) {  // the cloth lies to their left
+      const Curve& rim = front.edge(number).curve;
+      EXPECT_GT(dot(perpendicular(rim.tangent(0.05)), rim.at(0.05) - Vec2{0, 0.3}), 0);
+    }
+    ASSERT_EQ(front.notches.size(), 2u);
+    const auto height = [&](const Notch& notch) { return front.edge(notch.edge).curve.at(notch.at).y; };
+    EXPECT_NEAR(height(front.notches[0]), height(front.notches[1]), 1e-9);
+    ASSERT_TRUE(front.fold);
+    EXPECT_NEAR(distance(front.fold->from, front.fold->to), 0.5, 1e-12);
+  }
+}
+
+TEST(Holes, SeveralLieOnTheFoldBesideOthers) {
+  DraftPiece piece = with_half_hole({0, 0.24}, {0.06, 0.3}, {0, 0.36});
+  piece.holes.push_back({"slot",
+                         {edge("low", line({0, 0.1}, {0.02, 0.1})), edge("up", line({0.02, 0.1}, {0.02, 0.15})),
+                          edge("top", line({0.02, 0.15}, {0, 0.15}))},
+                         next_place()});
+  piece.holes.push_back(round_hole("eye", {0.2, 0.2}, 0.03));
+  const Made made = make(garment({piece}));
+  ASSERT_EQ(complaints(made), "");
+  EXPECT_EQ(made.garment.pieces[0].holes.size(), 4u);
+  EXPECT_EQ(made.garment.pieces[0].edge_count(), 6 + 2 + 6 + 2);
+}
+
+TEST(Holes, OnTheFoldKeepToTheClothAndToThemselves) {
+  const DraftPiece beyond = with_half_hole({0, 0.24}, {-0.06, 0.3}, {0, 0.36});
+  EXPECT_THAT(codes(make(garment({beyond}))), ElementsAre("E0314"));
+  const DraftPiece at_the_hem = with_half_hole({0, 0.02}, {0.06, -0.01}, {0, 0.12});
+  EXPECT_THAT(codes(make(garment({at_the_hem}))), ElementsAre("E0314"));
+  DraftPiece nested = with_half_hole({0, 0.2}, {0.1, 0.3}, {0, 0.4});
+  nested.holes.push_back({"inner", {edge("rim", arc_through({0, 0.28}, {0.02, 0.3}, {0, 0.32}))}, next_place()});
+  EXPECT_THAT(codes(make(garment({nested}))), ElementsAre("E0314"));
 }
 
 TEST(Holes, LengthsAreCheckedAsAnywhere) {

@@ -26,6 +26,20 @@ TEST(SeamParts, AnEdgeIsSewnInTwoParts) {
   EXPECT_THAT(codes(twice), ElementsAre("E0317"));
 }
 
+TEST(SeamParts, StandInChains) {
+  DraftSeam seam = sew({"band.bottom"}, {"a.top", "b.top"});
+  seam.second[0].part = DrawnSpan{0, 0.2};
+  const Made made = make(garment({rectangle("a", 0.3, 0.4), rectangle("b", 0.3, 0.4), rectangle("band", 0.5, 0.1)},
+                                 {sew({"a.right"}, {"b.left"}), seam}));
+  EXPECT_EQ(complaints(made), "");
+}
+
+TEST(SeamParts, AnEdgeSewnASecondTimeIsToldOnceWhateverItsLength) {
+  const Made made = make(garment({rectangle("a", 0.3, 0.4), rectangle("b", 0.3, 0.4)},
+                                 {sew({"a.right"}, {"b.left"}), sew({"a.right"}, {"b.bottom"})}));
+  EXPECT_THAT(codes(made), ElementsAre("E0317"));
+}
+
 TEST(SeamParts, FurtherLayersAreSewnInTheSameSeam) {
   DraftSeam seam = sew({"a.right"}, {"b.left"});
   seam.layers = {refs({"flap.left"})};
