@@ -3,6 +3,7 @@
 
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
+#include "runtime/report/tightness.hpp"
 
 namespace toile {
 
@@ -188,6 +189,29 @@ std::string help_with(const Drape& drape) {
 
 }  // namespace
 
+void Workroom::note_tightness(const DrapeCommand& command, const Draped& draped) {
+  constexpr double strongest_stocking = 6500;  // [Pa], see W0518
+  constexpr double least_strain = 0.01;        // below it is not the piece's length that is wrong
+  if (!draped.body) return;
+  const Tightness tight = tightest(draped.view());
+  if (tight.pressure_Pa < strongest_stocking || tight.piece < 0) return;
+  const std::string& piece = draped.made->garment.pieces[static_cast<std::size_t>(tight.piece)].name;
+  const char* thread = tight.along_warp ? "warp" : "weft";
+  const bool is_short = tight.strain >= least_strain && tight.short_m > 0;
+  diagnose(at_place(
+      Severity::Warning, "W0518", command.written,
+      fmt::format("{} presses on {} with {:.1f} kPa, {:.1f} mm deep, in piece {} at ({:.1f}, {:.1f}, {:.1f}) cm",
+                  draped.made->garment.name, draped.body->spec().name, tight.pressure_Pa / 1000,
+                  1000 * tight.pressure_Pa / draped.body->spec().softness, piece, 100 * tight.at.x, 100 * tight.at.y,
+                  100 * tight.at.z),
+      "draped here",
+      is_short
+          ? fmt::format("its {} is stretched by {:.1f} % there: {} is {:.1f} cm too short along it, over {:.1f} cm",
+                        thread, 100 * tight.strain, piece, 100 * tight.short_m, 100 * tight.length_m)
+          : "its threads are hardly stretched there: the cloth is caught between parts of the body, or lies in a "
+            "crease that is drawn against it"));
+}
+
 void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
   const Drape& result = draped.drape;
   const std::string on = draped.body ? " on " + draped.body->spec().name : "";
@@ -200,6 +224,7 @@ void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
                     100 * result.contact.weight_error, 1000 * result.contact.max_penetration_m);
   }
   listener_->noted(line);
+  note_tightness(command, draped);
   if (result.crossing_pairs > 0) {
     diagnose(at_place(Severity::Warning, "W0516", command.written,
                       fmt::format("{} passes through itself: {} pairs of triangles cross", draped.made->garment.name,
