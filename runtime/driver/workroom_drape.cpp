@@ -182,6 +182,25 @@ std::string where_restless(const Draped& draped) {
                      100 * at.z);
 }
 
+/// `depth` [m] of the deepest point.
+std::string why_tight(const Tightness& tight, const std::string& piece, double depth) {
+  constexpr double comes_through = 0.015;  // [m]
+  constexpr double least_strain = 0.01;    // below it is not the piece's length that is wrong
+  constexpr double least_short = 0.002;    // [m]
+  std::string stretched =
+      fmt::format("its {} is stretched by {:.1f} % there", tight.along_warp ? "warp" : "weft", 100 * tight.strain);
+  if (tight.strain < least_strain)
+    stretched = "its threads are hardly stretched there";
+  else if (tight.short_m < least_short)
+    stretched += " and hardly elsewhere";
+  else
+    stretched += fmt::format(": {} is {:.1f} cm too short along it, over {:.1f} cm", piece, 100 * tight.short_m,
+                             100 * tight.length_m);
+  if (depth < comes_through) return stretched;
+  return stretched +
+         "; so deep, the body comes through: large triangles slip past a limb, more of them (--triangles) " + "may not";
+}
+
 std::string help_with(const Drape& drape) {
   return drape.fell_off ? "`wear` without `placed` holds an edge at a line of the body, as a waistband does"
                         : "files and pictures show the state it reached; the report says what is left";
@@ -191,25 +210,18 @@ std::string help_with(const Drape& drape) {
 
 void Workroom::note_tightness(const DrapeCommand& command, const Draped& draped) {
   constexpr double strongest_stocking = 6500;  // [Pa], see W0518
-  constexpr double least_strain = 0.01;        // below it is not the piece's length that is wrong
   if (!draped.body) return;
   const Tightness tight = tightest(draped.view());
+  const double deepest = draped.drape.contact.max_penetration_m;
   if (tight.pressure_Pa < strongest_stocking || tight.piece < 0) return;
   const std::string& piece = draped.made->garment.pieces[static_cast<std::size_t>(tight.piece)].name;
-  const char* thread = tight.along_warp ? "warp" : "weft";
-  const bool is_short = tight.strain >= least_strain && tight.short_m > 0;
   diagnose(at_place(
       Severity::Warning, "W0518", command.written,
       fmt::format("{} presses on {} with {:.1f} kPa, {:.1f} mm deep, in piece {} at ({:.1f}, {:.1f}, {:.1f}) cm",
                   draped.made->garment.name, draped.body->spec().name, tight.pressure_Pa / 1000,
                   1000 * tight.pressure_Pa / draped.body->spec().softness, piece, 100 * tight.at.x, 100 * tight.at.y,
                   100 * tight.at.z),
-      "draped here",
-      is_short
-          ? fmt::format("its {} is stretched by {:.1f} % there: {} is {:.1f} cm too short along it, over {:.1f} cm",
-                        thread, 100 * tight.strain, piece, 100 * tight.short_m, 100 * tight.length_m)
-          : "its threads are hardly stretched there: the cloth is caught between parts of the body, or lies in a "
-            "crease that is drawn against it"));
+      "draped here", why_tight(tight, piece, deepest)));
 }
 
 void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
