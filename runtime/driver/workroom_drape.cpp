@@ -209,11 +209,11 @@ std::string help_with(const Drape& drape) {
 }  // namespace
 
 void Workroom::note_tightness(const DrapeCommand& command, const Draped& draped) {
-  constexpr double strongest_stocking = 6500;  // [Pa], see W0518
+  constexpr double strongest_class = 6500;  // [Pa], see W0518
   if (!draped.body) return;
   const Tightness tight = tightest(draped.view());
   const double deepest = draped.drape.contact.max_penetration_m;
-  if (tight.pressure_Pa < strongest_stocking || tight.piece < 0) return;
+  if (tight.pressure_Pa < strongest_class || tight.piece < 0) return;
   const std::string& piece = draped.made->garment.pieces[static_cast<std::size_t>(tight.piece)].name;
   diagnose(at_place(
       Severity::Warning, "W0518", command.written,
