@@ -9,7 +9,6 @@ namespace toile {
 namespace {
 
 constexpr double body_reach = 0.03;     // [m] how far away the body is looked for
-constexpr double elastic_slip = 1e-4;   // [m] how far a sticking point gives before it slips
 constexpr double least_approach = 0.8;  // of its clearance a point may move before it is measured again
 
 constexpr double least_share = 0.5, greatest_share = 2;  // of its area at rest that a triangle is taken with
@@ -41,21 +40,6 @@ std::vector<ContactPoint> contact_points(const Cloth& cloth, const std::vector<d
 
 double area_at_rest(const ClothTriangle& triangle) {
   return 0.5 * std::abs(cross(triangle.uv[1] - triangle.uv[0], triangle.uv[2] - triangle.uv[0]));
-}
-
-/// Friction against slip, by the limit of its force: the force is 2 u - u^2 of the limit at u = slip / elastic_slip,
-/// and the whole limit from 1 on, so that it is smooth where sticking ends (Li et al., Incremental Potential Contact,
-/// SIGGRAPH 2020, 5.2).
-double pull_per_slip(double slip) {
-  const double u = slip / elastic_slip;
-  return u < 1 ? (2 - u) / elastic_slip : 1 / slip;
-}
-double work(double slip) {
-  const double u = slip / elastic_slip;
-  return u < 1 ? elastic_slip * u * u * (1 - u / 3) : slip - elastic_slip / 3;
-}
-double slip_at(double share) {
-  return elastic_slip * (1 - std::sqrt(std::max(1 - share, 0.0)));
 }
 
 }  // namespace
@@ -134,16 +118,6 @@ const std::vector<BodyContact::Touch>& BodyContact::touches(const Vector& q) con
   return touches_;
 }
 
-Vector3 BodyContact::slip(const Grip& grip, const Vector3& at) const {
-  const Vector3 away = at - grip.anchor;
-  return away - away.dot(grip.normal) * grip.normal;
-}
-
-Vector3 BodyContact::pull(const Grip& grip, const Vector3& at) const {
-  const Vector3 slid = slip(grip, at);
-  return grip.limit * pull_per_slip(slid.norm()) * slid;
-}
-
 double BodyContact::energy(const Vector& q, Vector* gradient) const {
   const std::vector<Touch>& touches = this->touches(q);
   double energy = 0;
@@ -153,12 +127,12 @@ double BodyContact::energy(const Vector& q, Vector* gradient) const {
       energy += 0.5 * stiffness_ * touches[i].depth * touches[i].depth * points_[i].area;
       derivative -= stiffness_ * touches[i].depth * points_[i].area * touches[i].normal;
     }
-    if (grips_[i].holds) {
+    if (grips_[i]) {
       const Vector3 at = place(points_[i], q);
-      energy += grips_[i].limit * work(slip(grips_[i], at).norm());
-      derivative += pull(grips_[i], at);
+      energy += grips_[i]->work(at);
+      derivative += grips_[i]->pull(at);
     }
-    if (gradient == nullptr || !(touches[i].in || grips_[i].holds)) continue;
+    if (gradient == nullptr || !(touches[i].in || grips_[i])) continue;
     for (int k = 0; k < points_[i].count; ++k) {
       gradient->segment<3>(3 * points_[i].vertices[static_cast<std::size_t>(k)]) += derivative / points_[i].count;
     }
@@ -188,20 +162,10 @@ Matrix3 BodyContact::normal_block(const Touch& touch, double area, Curvature cur
 void BodyContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const {
   const std::vector<Touch>& touches = this->touches(q);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    if (!touches[i].in && !grips_[i].holds) continue;
+    if (!touches[i].in && !grips_[i]) continue;
     Matrix3 block = Matrix3::Zero();
     if (touches[i].in) block += normal_block(touches[i], points_[i].area, curvature);
-    if (grips_[i].holds) {
-      const Grip& grip = grips_[i];
-      const Vector3 slid = slip(grip, place(points_[i], q));
-      const double length = slid.norm();
-      const Matrix3 tangent = Matrix3::Identity() - grip.normal * grip.normal.transpose();
-      block += grip.limit * pull_per_slip(length) * tangent;
-      // The pull grows less than in proportion, and past the cone not at all.
-      const double loss = length < elastic_slip ? 1 / (elastic_slip * elastic_slip * std::max(length, 1e-12))
-                                                : 1 / (length * length * length);
-      block -= grip.limit * loss * slid * slid.transpose();
-    }
+    if (grips_[i]) block += grips_[i]->stiffness(place(points_[i], q));
     add_block(points_[i], block, matrix);
   }
 }
@@ -211,22 +175,14 @@ void BodyContact::accept(const Vector& q) {
   if (!rubs_) return;
   const std::vector<Touch>& touches = this->touches(q);
   for (std::size_t i = 0; i < points_.size(); ++i) {
-    Grip& grip = grips_[i];
+    std::optional<Grip>& grip = grips_[i];
     if (!touches[i].in) {
-      grip.holds = false;
+      grip.reset();
       continue;
     }
     const Vector3 at = place(points_[i], q);
-    // The force goes on as it is, turned into the plane of the new normal and cut at the new cone: a change of the
-    // normal force alone moves nothing that sticks.
-    Vector3 force = grip.holds ? pull(grip, at) : Vector3::Zero();
-    grip.holds = true;
-    grip.normal = touches[i].normal.normalized();
-    grip.limit = points_[i].friction * stiffness_ * touches[i].depth * points_[i].area;
-    force -= force.dot(grip.normal) * grip.normal;
-    const double size = force.norm();
-    grip.anchor = at;
-    if (size > 0) grip.anchor -= slip_at(size / grip.limit) / size * force;
+    grip = grip_on(grip ? grip->pull(at) : Vector3::Zero(), at, touches[i].normal.normalized(),
+                   points_[i].friction * stiffness_ * touches[i].depth * points_[i].area);
   }
 }
 
@@ -241,11 +197,10 @@ ContactForces BodyContact::forces(const Vector& q) const {
       sum.max_depth = std::max(sum.max_depth, touches[i].depth);
       sum.max_pressure = stiffness_ * sum.max_depth;
     }
-    if (grips_[i].holds) {
+    if (grips_[i]) {
       const Vector3 at = place(points_[i], q);
-      const double length = slip(grips_[i], at).norm();
-      sum.friction -= pull(grips_[i], at);
-      sum.friction_energy += grips_[i].limit * work(length);
+      sum.friction -= grips_[i]->pull(at);
+      sum.friction_energy += grips_[i]->work(at);
     }
   }
   return sum;

@@ -1,12 +1,13 @@
 // Contact of the cloth with a body: E_p = integral of k d^2 / 2 over the cloth inside (paper, section 4), so that the
-// pressure is k d whatever the mesh; and Coulomb friction that sticks: a tangential spring to an anchor, slipping at
-// the cone.
+// pressure is k d whatever the mesh; and Coulomb friction (grip.hpp).
 #pragma once
 
 #include <array>
+#include <optional>
 #include <vector>
 
 #include "runtime/body/body.hpp"
+#include "runtime/contact/grip.hpp"
 #include "runtime/mesh/cloth.hpp"
 #include "runtime/solve/form.hpp"
 
@@ -59,13 +60,6 @@ class BodyContact : public Form {
     Vector3 normal = Vector3::Zero();     // the depth's steepest fall; a unit vector but for the body's smoothing
     Matrix3 curvature = Matrix3::Zero();  // [1/m] the clearance's second derivative
   };
-  /// What of friction lasts from one step of the solver to the next.
-  struct Grip {
-    bool holds = false;
-    Vector3 anchor = Vector3::Zero();
-    Vector3 normal = Vector3::Zero();
-    double limit = 0;  // [N] coefficient times normal force
-  };
   /// Where a point was when it was last measured, and how far it may move before it can touch.
   struct Leeway {
     Vector3 at = Vector3::Zero();
@@ -74,9 +68,6 @@ class BodyContact : public Form {
 
   const std::vector<Touch>& touches(const Vector& q) const;
   Vector3 place(const ContactPoint& point, const Vector& q) const;
-  Vector3 slip(const Grip& grip, const Vector3& at) const;
-  /// What the grip takes from a point there, along its slip [N].
-  Vector3 pull(const Grip& grip, const Vector3& at) const;
   Matrix3 normal_block(const Touch& touch, double area, Curvature curvature) const;
   void add_block(const ContactPoint& point, const Matrix3& block, SparseMatrix& matrix) const;
 
@@ -86,7 +77,7 @@ class BodyContact : public Form {
   bool rubs_ = false;
   double stiffness_ = 1e6;
   std::vector<ContactPoint> points_;
-  std::vector<Grip> grips_;
+  std::vector<std::optional<Grip>> grips_;  // what of friction lasts from one step of the solver to the next
   // Nearest points of the latest q: energy, gradient and Hessian are asked for at the same place.
   mutable Vector measured_at_;
   mutable std::vector<Touch> touches_;

@@ -2,6 +2,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <tuple>
 #include <utility>
 
 #include "runtime/contact/advance.hpp"
@@ -20,16 +21,18 @@ constexpr double parallel = 1e-2;
 // Of the gap: what is nearer still was so at the start and coincides; no force has a direction there.
 constexpr double coincident = 1e-6;
 
-/// Of each vertex, the gap that its fabric would have.
-std::vector<double> wanted_gaps(const Cloth& cloth, const std::vector<double>& of_fabric) {
-  std::vector<double> gaps(index(cloth.vertex_count), 0.0);
+/// Of each vertex, the largest value of the fabrics about it.
+std::vector<double> of_vertices(const Cloth& cloth, const std::vector<double>& of_fabric) {
+  std::vector<double> values(index(cloth.vertex_count), 0.0);
   for (const ClothTriangle& triangle : cloth.triangles) {
-    for (const int v : triangle.vertices) gaps[index(v)] = std::max(gaps[index(v)], of_fabric[index(triangle.fabric)]);
+    for (const int v : triangle.vertices) {
+      values[index(v)] = std::max(values[index(v)], of_fabric[index(triangle.fabric)]);
+    }
   }
-  return gaps;
+  return values;
 }
 
-/// And the widest that the triangles about it let it have.
+/// Of each vertex, the widest gap that the triangles about it let it have.
 std::vector<double> widest_gaps(const Cloth& cloth, double widest) {
   std::vector<double> gaps(index(cloth.vertex_count), widest);
   for (const ClothTriangle& triangle : cloth.triangles) {
@@ -80,6 +83,11 @@ Share share_of(double crossing, double full) {
   return {u * (2 - u), (2 - 2 * u) / full, -2 / (full * full)};
 }
 
+/// The order of neighbours.
+bool comes_before(const Pair& a, const Pair& b) {
+  return std::tie(a.kind, a.first, a.second) < std::tie(b.kind, b.first, b.second);
+}
+
 }  // namespace
 
 SelfContact::SelfContact(const Cloth& cloth, double gap, double pressure)
@@ -89,11 +97,15 @@ SelfContact::SelfContact(const Cloth& cloth, const std::vector<double>& gaps, do
     : cloth_(cloth),
       pressure_(pressure),
       widest_gap_(std::ranges::max(gaps)),
-      gap_(wanted_gaps(cloth, gaps)),
+      gap_(of_vertices(cloth, gaps)),
       widest_(widest_gaps(cloth, widest_gap_)),
       area_of_edge_(edge_areas(cloth)),
       square_of_edge_(edge_squares(cloth)),
       slack_(share_of_edge * mean_length(square_of_edge_)) {}
+
+void SelfContact::set_friction(const std::vector<double>& frictions) {
+  friction_ = std::ranges::max(frictions) > 0 ? of_vertices(cloth_, frictions) : std::vector<double>{};
+}
 
 void SelfContact::leave_out(std::vector<bool> vertices) {
   left_out_ = std::move(vertices);
@@ -106,6 +118,10 @@ double SelfContact::gap_of(const Pair& pair) const {
   double gap = 0.5 * (gap_[index(pair.vertices.front())] + gap_[index(pair.vertices.back())]);
   for (const int v : pair.vertices) gap = std::min(gap, widest_[index(v)]);
   return gap;
+}
+
+double SelfContact::friction_of(const Pair& pair) const {
+  return 0.5 * (friction_[index(pair.vertices.front())] + friction_[index(pair.vertices.back())]);
 }
 
 double SelfContact::area_of(const Pair& pair) const {
@@ -179,6 +195,12 @@ SelfContact::Barrier SelfContact::barrier(const Touch& touch) const {
           scale / touch.gap * (-2 * log + 4 * rest / y + rest * rest / (y * y))};
 }
 
+double SelfContact::counted_share(const Touch& touch) const {
+  return touch.pair.kind == Pair::Kind::CornerTriangle
+             ? 1
+             : share_of(edge_skew(touch.x, false).value, touch.parallel).value;
+}
+
 Vector12 SelfContact::gradient(const Touch& touch) const {
   const Barrier b = barrier(touch);
   const Vector12 by_distance = squared_gradient(touch.near, touch.x) / (2 * std::sqrt(touch.near.squared));
@@ -212,16 +234,50 @@ double SelfContact::energy(const Vector& q, Vector* gradient) const {
   const std::vector<Touch>& touches = this->touches(q);
   double energy = 0;
   for (const Touch& touch : touches) {
-    const bool edges = touch.pair.kind == Pair::Kind::EdgeEdge;
-    const double share = edges ? share_of(edge_skew(touch.x, false).value, touch.parallel).value : 1;
-    energy += share * barrier(touch).value;
+    energy += counted_share(touch) * barrier(touch).value;
     if (gradient == nullptr) continue;
     const Vector12 derivative = this->gradient(touch);
     for (int k = 0; k < 4; ++k) {
       gradient->segment<3>(3 * touch.pair.vertices[static_cast<std::size_t>(k)]) += derivative.segment<3>(3 * k);
     }
   }
+  for (const Hold& hold : holds_) {
+    const Vector3 apart = hold.apart(q);
+    energy += hold.grip.work(apart);
+    if (gradient == nullptr) continue;
+    const Vector3 pull = hold.grip.pull(apart);
+    for (std::size_t k = 0; k < 4; ++k) gradient->segment<3>(3 * hold.pair.vertices[k]) += hold.weights[k] * pull;
+  }
   return energy;
+}
+
+Vector3 SelfContact::Hold::apart(const Vector& q) const {
+  Vector3 apart = Vector3::Zero();
+  for (std::size_t k = 0; k < 4; ++k) apart += weights[k] * q.segment<3>(3 * pair.vertices[k]);
+  return apart;
+}
+
+double SelfContact::friction_energy(const Vector& q) const {
+  double energy = 0;
+  for (const Hold& hold : holds_) energy += hold.grip.work(hold.apart(q));
+  return energy;
+}
+
+// What touches on keeps its pull, what newly touches begins with none, and what has come apart lets go.
+void SelfContact::accept(const Vector& q) {
+  if (friction_.empty()) return;
+  std::vector<Hold> holds;
+  auto earlier = holds_.cbegin();
+  for (const Touch& touch : touches(q)) {
+    while (earlier != holds_.cend() && comes_before(earlier->pair, touch.pair)) ++earlier;
+    const bool held = earlier != holds_.cend() && !comes_before(touch.pair, earlier->pair);
+    Hold hold{touch.pair, touch.near.weights, {}};
+    const Vector3 apart = hold.apart(q);
+    hold.grip = grip_on(held ? earlier->grip.pull(earlier->apart(q)) : Vector3::Zero(), apart, apart.normalized(),
+                        friction_of(touch.pair) * counted_share(touch) * -barrier(touch).slope);
+    holds.push_back(std::move(hold));
+  }
+  holds_ = std::move(holds);
 }
 
 void SelfContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const {
@@ -238,6 +294,20 @@ void SelfContact::add_hessian(const Vector& q, Curvature curvature, SparseMatrix
       }
     }
   }
+  for (const Hold& hold : holds_) {
+    const Matrix3 stiffness = hold.grip.stiffness(hold.apart(q));
+    for (std::size_t k = 0; k < 4; ++k) {
+      for (std::size_t l = 0; l <= k; ++l) {
+        const double share = hold.weights[k] * hold.weights[l];
+        if (share == 0) continue;
+        for (int i = 0; i < 3; ++i) {
+          for (int j = 0; j < (k == l ? i + 1 : 3); ++j) {
+            matrix.add(3 * hold.pair.vertices[k] + i, 3 * hold.pair.vertices[l] + j, share * stiffness(i, j));
+          }
+        }
+      }
+    }
+  }
 }
 
 double SelfContact::free_fraction(const Vector& q, const Vector& step) const {
@@ -251,25 +321,29 @@ double SelfContact::free_fraction(const Vector& q, const Vector& step) const {
 }
 
 bool SelfContact::fits(const Vector& q, const SparseMatrix& matrix) const {
-  for (const Touch& touch : touches(q)) {
+  const auto has_place = [&](const Pair& pair) {
     for (std::size_t i = 0; i < 4; ++i) {
       for (std::size_t j = 0; j < i; ++j) {
-        if (!matrix.has(3 * touch.pair.vertices[i], 3 * touch.pair.vertices[j])) return false;
+        if (!matrix.has(3 * pair.vertices[i], 3 * pair.vertices[j])) return false;
       }
     }
-  }
-  return true;
+    return true;
+  };
+  return std::ranges::all_of(touches(q), has_place, &Touch::pair) &&
+         std::ranges::all_of(holds_, has_place, &Hold::pair);
 }
 
 std::vector<std::vector<int>> SelfContact::couplings(const Vector& q) const {
   std::vector<std::vector<int>> couplings;
-  for (const Touch& touch : within(q, soon)) {
+  const auto couple = [&](const Pair& pair) {
     std::vector<int> unknowns;
-    for (const int v : touch.pair.vertices) {
+    for (const int v : pair.vertices) {
       for (int k = 0; k < 3; ++k) unknowns.push_back(3 * v + k);
     }
     couplings.push_back(std::move(unknowns));
-  }
+  };
+  for (const Touch& touch : within(q, soon)) couple(touch.pair);
+  for (const Hold& hold : holds_) couple(hold.pair);
   return couplings;
 }
 

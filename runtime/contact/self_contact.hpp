@@ -1,9 +1,11 @@
 // Contact of the cloth with itself: layers have a thickness, resist being pressed together as cloth does (little at
-// first, then without bound), and never pass through each other.
+// first, then without bound), rub on each other as on a body, and never pass through each other.
 #pragma once
 
+#include <array>
 #include <vector>
 
+#include "runtime/contact/grip.hpp"
 #include "runtime/contact/neighbours.hpp"
 #include "runtime/contact/proximity.hpp"
 #include "runtime/mesh/cloth.hpp"
@@ -22,6 +24,8 @@ class SelfContact : public Form {
   SelfContact(const Cloth& cloth, const std::vector<double>& gaps, double pressure);
   SelfContact(const Cloth& cloth, double gap, double pressure);
 
+  /// The coefficient of each fabric on its own; between two the mean. Without, layers slide freely.
+  void set_friction(const std::vector<double>& frictions);
   /// Vertices about crossings that could not be undone: between them contact would keep the cloth crossed, and is left
   /// out.
   void leave_out(std::vector<bool> vertices);
@@ -29,6 +33,9 @@ class SelfContact : public Form {
   double energy(const Vector& q, Vector* gradient) const override;
   void add_hessian(const Vector& q, Curvature curvature, SparseMatrix& matrix) const override;
   double free_fraction(const Vector& q, const Vector& step) const override;
+  void accept(const Vector& q) override;
+  /// What of the energy is friction's [J].
+  double friction_energy(const Vector& q) const;
 
   /// True when the matrix has a place for everything that touches at q.
   bool fits(const Vector& q, const SparseMatrix& matrix) const;
@@ -44,6 +51,13 @@ class SelfContact : public Form {
     double area = 0;      // [m2] that the pair stands for
     double parallel = 0;  // [m4] of edges: below this crossing they are near to parallel
   };
+  /// Where two layers touched at the solver's latest rest: a place of the one keeps hold of a place of the other.
+  struct Hold {
+    Pair pair;
+    std::array<double, 4> weights{};  // their difference is the weighted sum of the four vertices
+    Grip grip;
+    Vector3 apart(const Vector& q) const;
+  };
   /// The energy per area and pressure as a function of the distance, and its derivatives by it.
   struct Barrier {
     double value = 0, slope = 0, bend = 0;
@@ -56,7 +70,10 @@ class SelfContact : public Form {
   double gap_of(const Pair& pair) const;
   double area_of(const Pair& pair) const;
   double parallel_of(const Pair& pair) const;
+  double friction_of(const Pair& pair) const;
   Barrier barrier(const Touch& touch) const;
+  /// How much of the barrier counts.
+  double counted_share(const Touch& touch) const;
   Vector12 gradient(const Touch& touch) const;
   Matrix12 hessian(const Touch& touch, Curvature curvature) const;
 
@@ -65,10 +82,12 @@ class SelfContact : public Form {
   double widest_gap_;
   std::vector<double> gap_;             // [m] per vertex
   std::vector<double> widest_;          // [m] per vertex: what the gap is at most for the size of its triangles
+  std::vector<double> friction_;        // [1] per vertex; empty: none
   std::vector<bool> left_out_;          // per vertex; empty: none
   std::vector<double> area_of_edge_;    // [m2]
   std::vector<double> square_of_edge_;  // [m2] of its length
   double slack_;                        // [m]
+  std::vector<Hold> holds_;             // in the order of touches
   // Neighbours hold for every q between the two places, or within the slack of them.
   mutable Vector swept_from_, swept_to_;
   mutable std::vector<Pair> neighbours_;

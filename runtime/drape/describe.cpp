@@ -33,7 +33,11 @@ Energies energies(const ClothState& state) {
     energies.contact = forces.normal_energy;
     energies.friction = forces.friction_energy;
   }
-  if (state.layers != nullptr) energies.self_contact = state.layers->energy(state.q, nullptr);
+  if (state.layers != nullptr) {
+    const double friction = state.layers->friction_energy(state.q);
+    energies.friction += friction;
+    energies.self_contact = state.layers->energy(state.q, nullptr) - friction;
+  }
   return energies;
 }
 

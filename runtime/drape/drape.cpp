@@ -92,6 +92,7 @@ class Draping {
         gravity_(vertex_masses(cloth, laws_)),
         layers_(cloth, layer_gaps(), std::ranges::max(each(laws_, &FabricLaw::pressure))),
         matrix_(reduced_unknowns(elastic_.unknowns(), start.held), elastic_.couplings()) {
+    if (options.friction) layers_.set_friction(each(laws_, &FabricLaw::friction));
     if (body != nullptr) {
       contact_ = std::make_unique<BodyContact>(cloth, *body, half_thicknesses(), frictions(*body));
       stiffness_ = body->spec().softness;

@@ -113,6 +113,7 @@ class Workroom {
   std::optional<DrapedLevels> drape_warm(const DrapeCommand& command, const Draped& draped);
   std::string warm_key(const Draped& draped) const;
   void note_drape(const DrapeCommand& command, const Draped& draped);
+  void note_tightness(const DrapeCommand& command, const Draped& draped);
 
   WorkroomOptions options_;
   Listener* listener_;

@@ -3,6 +3,7 @@
 
 #include "runtime/driver/stopwatch.hpp"
 #include "runtime/driver/workroom.hpp"
+#include "runtime/report/tightness.hpp"
 
 namespace toile {
 
@@ -181,12 +182,47 @@ std::string where_restless(const Draped& draped) {
                      100 * at.z);
 }
 
+/// `depth` [m] of the deepest point.
+std::string why_tight(const Tightness& tight, const std::string& piece, double depth) {
+  constexpr double comes_through = 0.015;  // [m]
+  constexpr double least_strain = 0.01;    // below it is not the piece's length that is wrong
+  constexpr double least_short = 0.002;    // [m]
+  std::string stretched =
+      fmt::format("its {} is stretched by {:.1f} % there", tight.along_warp ? "warp" : "weft", 100 * tight.strain);
+  if (tight.strain < least_strain)
+    stretched = "its threads are hardly stretched there";
+  else if (tight.short_m < least_short)
+    stretched += " and hardly elsewhere";
+  else
+    stretched += fmt::format(": {} is {:.1f} cm too short along it, over {:.1f} cm", piece, 100 * tight.short_m,
+                             100 * tight.length_m);
+  if (depth < comes_through) return stretched;
+  return stretched +
+         "; so deep, the body comes through: large triangles slip past a limb, more of them (--triangles) " + "may not";
+}
+
 std::string help_with(const Drape& drape) {
   return drape.fell_off ? "`wear` without `placed` holds an edge at a line of the body, as a waistband does"
                         : "files and pictures show the state it reached; the report says what is left";
 }
 
 }  // namespace
+
+void Workroom::note_tightness(const DrapeCommand& command, const Draped& draped) {
+  constexpr double strongest_class = 6500;  // [Pa], see W0518
+  if (!draped.body) return;
+  const Tightness tight = tightest(draped.view());
+  const double deepest = draped.drape.contact.max_penetration_m;
+  if (tight.pressure_Pa < strongest_class || tight.piece < 0) return;
+  const std::string& piece = draped.made->garment.pieces[static_cast<std::size_t>(tight.piece)].name;
+  diagnose(at_place(
+      Severity::Warning, "W0518", command.written,
+      fmt::format("{} presses on {} with {:.1f} kPa, {:.1f} mm deep, in piece {} at ({:.1f}, {:.1f}, {:.1f}) cm",
+                  draped.made->garment.name, draped.body->spec().name, tight.pressure_Pa / 1000,
+                  1000 * tight.pressure_Pa / draped.body->spec().softness, piece, 100 * tight.at.x, 100 * tight.at.y,
+                  100 * tight.at.z),
+      "draped here", why_tight(tight, piece, deepest)));
+}
 
 void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
   const Drape& result = draped.drape;
@@ -200,6 +236,7 @@ void Workroom::note_drape(const DrapeCommand& command, const Draped& draped) {
                     100 * result.contact.weight_error, 1000 * result.contact.max_penetration_m);
   }
   listener_->noted(line);
+  note_tightness(command, draped);
   if (result.crossing_pairs > 0) {
     diagnose(at_place(Severity::Warning, "W0516", command.written,
                       fmt::format("{} passes through itself: {} pairs of triangles cross", draped.made->garment.name,

@@ -7,6 +7,7 @@
 #include "runtime/develop/redraw.hpp"
 #include "runtime/export/json_layout.hpp"
 #include "runtime/report/summary.hpp"
+#include "runtime/report/tightness.hpp"
 
 namespace toile {
 
@@ -58,7 +59,20 @@ Json solve(const Summary& summary) {
             {"total", energy.total()}}}};
 }
 
-Json contact(const Contact& contact) {
+Json tightness(const DrapedGarment& draped) {
+  const Tightness tight = tightest(draped);
+  return {{"pressure_Pa", tight.pressure_Pa},
+          {"piece", tight.piece < 0 ? "" : draped.garment->pieces[static_cast<std::size_t>(tight.piece)].name},
+          {"at_m", {tight.at.x, tight.at.y, tight.at.z}},
+          {"thread", tight.piece < 0    ? ""
+                     : tight.along_warp ? "warp"
+                                        : "weft"},
+          {"strain", tight.strain},
+          {"length_m", tight.length_m},
+          {"short_m", tight.short_m}};
+}
+
+Json contact(const Contact& contact, const DrapedGarment& draped) {
   return {{"weight_N", contact.weight_N},
           {"support_N",
            {{"body", contact.support_body_N},
@@ -69,7 +83,8 @@ Json contact(const Contact& contact) {
           {"max_penetration_m", contact.max_penetration_m},
           {"contact_area_m2", contact.contact_area_m2},
           {"pressure_Pa",
-           {{"mean", contact.pressure_Pa.mean}, {"p95", contact.pressure_Pa.p95}, {"max", contact.pressure_Pa.max}}}};
+           {{"mean", contact.pressure_Pa.mean}, {"p95", contact.pressure_Pa.p95}, {"max", contact.pressure_Pa.max}}},
+          {"tightest", tightness(draped)}};
 }
 
 Json darts(const DrapedGarment& on_form, const Development& development) {
@@ -139,7 +154,7 @@ std::string report_json(const std::string& script, const DrapedGarment& draped) 
                {"garment", draped.garment->name},
                {"mesh", mesh(summary)},
                {"solve", solve(summary)},
-               {"contact", contact(summary.contact)},
+               {"contact", contact(summary.contact, draped)},
                {"self", {{"intersecting_triangle_pairs", summary.intersecting_triangle_pairs}}},
                {"shape", {{"folds", summary.folds}, {"projected_area_m2", summary.projected_area_m2}}},
                {"strain", json(summary.strain)},

@@ -6,31 +6,11 @@
 
 #include "runtime/drape/drape.hpp"
 #include "runtime/energy/gravity.hpp"
+#include "tests/support/incline.hpp"
 #include "tests/support/sheet.hpp"
 
 namespace toile {
 namespace {
-
-/// A half space below a plane through the origin, tilted about y.
-class Incline : public Body {
- public:
-  Incline(double tilt, double friction) : normal_{std::sin(tilt), 0, std::cos(tilt)} { spec_.friction = friction; }
-  const BodySpec& spec() const override { return spec_; }
-  const Surface& surface() const override { return surface_; }
-  const std::vector<BodyLine>& lines() const override { return lines_; }
-  Vec3 top() const override { return {}; }
-  std::optional<SurfacePoint> nearest(Vec3 p, double reach) const override {
-    const double distance = dot(p, normal_);
-    if (distance > reach) return std::nullopt;
-    return SurfacePoint{p - distance * normal_, normal_, distance, 0};
-  }
-
- private:
-  BodySpec spec_;
-  Surface surface_;
-  std::vector<BodyLine> lines_;
-  Vec3 normal_;
-};
 
 FabricSheet cotton() {
   FabricSheet fabric;
@@ -52,7 +32,7 @@ struct OnIncline {
 };
 
 TEST(Contact, CarriesTheWeightOfAClothLyingFlat) {
-  const Incline table(0, 0.3);
+  const test::Incline table(0, 0.3);
   const OnIncline cloth(0);
   const Drape drape = toile::drape(cloth.sheet.cloth, cotton(), &table, cloth.start, {.accuracy = 1e-6}, {});
   ASSERT_TRUE(drape.converged) << drape.trouble;
@@ -65,7 +45,7 @@ TEST(Contact, CarriesTheWeightOfAClothLyingFlat) {
 
 TEST(Contact, HoldsOnASlopeBelowTheAngleOfFriction) {
   const double tilt = 15 * std::numbers::pi / 180;  // tan = 0.268
-  const Incline slope(tilt, 0.3);
+  const test::Incline slope(tilt, 0.3);
   const OnIncline cloth(tilt);
   const Drape drape = toile::drape(cloth.sheet.cloth, cotton(), &slope, cloth.start, {.accuracy = 1e-4}, {});
   ASSERT_TRUE(drape.converged) << drape.trouble;
@@ -75,7 +55,7 @@ TEST(Contact, HoldsOnASlopeBelowTheAngleOfFriction) {
 
 TEST(Contact, SlidesOffASlopeAboveTheAngleOfFrictionAndSaysSo) {
   const double tilt = 19 * std::numbers::pi / 180;  // tan = 0.344
-  const Incline slope(tilt, 0.3);
+  const test::Incline slope(tilt, 0.3);
   const OnIncline cloth(tilt);
   const Drape drape =
       toile::drape(cloth.sheet.cloth, cotton(), &slope, cloth.start, {.accuracy = 1e-4, .max_iterations = 200}, {});

@@ -3,11 +3,13 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numbers>
 #include <string>
 
 #include "runtime/body/primitives.hpp"
 #include "runtime/contact/self_intersections.hpp"
 #include "runtime/drape/drape.hpp"
+#include "tests/support/incline.hpp"
 #include "tests/support/sheet.hpp"
 
 namespace toile {
@@ -70,6 +72,56 @@ TEST(Layers, LieOnEachOtherAtTheirThickness) {
     EXPECT_LT(drape.positions[v].z, 0.0003 + 1.01 * 0.0006);
   }
   EXPECT_GT(drape.energy.self_contact, 0);
+}
+
+/// Turns them about y.
+void lean(double tilt, std::vector<Vec3>& positions) {
+  for (Vec3& p : positions) {
+    p = {p.x * std::cos(tilt) + p.z * std::sin(tilt), p.y, p.z * std::cos(tilt) - p.x * std::sin(tilt)};
+  }
+}
+
+/// A plate of cloth that is held and leans by `tilt`, and a strip upon it.
+Drape strip_on_a_slope(double tilt, double friction, TwoSheets& two) {
+  two = two_sheets(0.0019, 0);
+  lean(tilt, two.start.positions);
+  for (int v = 0; v < two.lower; ++v) two.start.held.push_back(v);
+  FabricSheet fabric = voile();
+  fabric.miu = friction;
+  return toile::drape(two.cloth, fabric, nullptr, two.start, {.accuracy = 1e-4, .max_iterations = 150}, {});
+}
+
+TEST(Layers, StickOnASlopeOfClothBelowTheAngleOfFrictionAndSlideAbove) {
+  for (const double friction : {0.2, 0.5}) {
+    const double limit = std::atan(friction), margin = std::numbers::pi / 180;
+    TwoSheets two;
+    const Drape sticks = strip_on_a_slope(limit - margin, friction, two);
+    const auto far = [&](const Drape& drape) { return distance(drape.positions.back(), two.start.positions.back()); };
+    EXPECT_TRUE(sticks.converged) << friction << ": " << sticks.trouble;
+    EXPECT_LT(far(sticks), 0.003) << friction;
+    const Drape slides = strip_on_a_slope(limit + margin, friction, two);
+    EXPECT_GT(far(slides), 0.008) << friction;
+    EXPECT_FALSE(slides.converged);
+  }
+}
+
+TEST(Layers, SlideOnALayerThatSticksToTheBody) {
+  // A table that holds the lower sheet well; the cloths hold each other up to 16.7 degrees.
+  const auto moved = [](double degrees) {
+    const double tilt = degrees * std::numbers::pi / 180;
+    const test::Incline slope(tilt, 0.8);
+    TwoSheets two = two_sheets(0.0019, 0);
+    lean(tilt, two.start.positions);
+    FabricSheet fabric = voile();
+    fabric.miu = 0.3;
+    const Drape drape =
+        toile::drape(two.cloth, fabric, &slope, two.start, {.accuracy = 1e-4, .max_iterations = 150}, {});
+    EXPECT_LT(distance(drape.positions.front(), two.start.positions.front()), 0.002) << degrees;
+    EXPECT_EQ(drape.crossing_pairs, 0);
+    return distance(drape.positions.back(), two.start.positions.back());
+  };
+  EXPECT_LT(moved(15), 0.003);
+  EXPECT_GT(moved(18.5), 0.008);
 }
 
 TEST(Layers, ComeApartWhenACornerStartsThroughTheOther) {

@@ -3,6 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <iterator>
 #include <sstream>
 #include <string>
@@ -11,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "runtime/report/summary.hpp"
+#include "runtime/report/tightness.hpp"
 #include "tests/runtime/export/draped_tube.hpp"
 
 namespace toile {
@@ -49,6 +51,8 @@ TEST(Report, KeysAreThoseOfTheDocumentation) {
     contact.weight_N contact.support_N.body contact.support_N.friction contact.support_N.held
     contact.support_N.total contact.weight_error contact.max_penetration_m contact.contact_area_m2
     contact.pressure_Pa.mean contact.pressure_Pa.p95 contact.pressure_Pa.max
+    contact.tightest.pressure_Pa contact.tightest.piece contact.tightest.at_m contact.tightest.thread
+    contact.tightest.strain contact.tightest.length_m contact.tightest.short_m
     self.intersecting_triangle_pairs
     shape.folds shape.projected_area_m2
     strain.warp.min strain.warp.mean strain.warp.p95 strain.warp.max strain.weft.min strain.weft.mean
@@ -72,6 +76,25 @@ TEST(Report, TellsWhatTheDrapeFound) {
   EXPECT_EQ(report["contact"]["pressure_Pa"]["max"].get<int>(), 30);
   EXPECT_EQ(report["self"]["intersecting_triangle_pairs"].get<int>(), 0);
   EXPECT_EQ(report["shape"]["folds"].get<int>(), 5);
+}
+
+TEST(Report, SaysHowMuchTooShortThePieceIsThatPressesHardest) {
+  DrapedTube tube = draped_tube();
+  const auto pressed = static_cast<std::size_t>(tube.cloth.triangles[0].vertices[0]);
+  const PieceId piece = tube.mesh.p.piece_of_triangle[0];
+  std::ranges::fill(tube.drape.pressure, 100.0);
+  tube.drape.pressure[pressed] = 9000;
+  std::ranges::fill(tube.drape.stress_weft, 500.0);
+  std::ranges::fill(tube.drape.stress_warp, 1.0);
+  std::ranges::fill(tube.drape.strain_weft, 0.05);
+  const Tightness tight = tightest(tube.view());
+  EXPECT_EQ(tight.pressure_Pa, 9000);
+  EXPECT_EQ(tight.piece, piece);
+  EXPECT_FALSE(tight.along_warp);
+  EXPECT_DOUBLE_EQ(tight.strain, 0.05);
+  // From side to side of the piece, sixty centimetres.
+  EXPECT_NEAR(tight.length_m, kColumns * kSquare, 1e-9);
+  EXPECT_NEAR(tight.short_m, 0.05 * kColumns * kSquare, 1e-9);
 }
 
 TEST(Report, SameDrapeSameBytes) {

@@ -158,6 +158,69 @@ TEST(SelfContact, DerivativesAreThoseOfDifferences) {
   }
 }
 
+/// Two triangles that rub, the upper one drawn along the lower by `slip` since the solver's latest rest.
+struct Rubbing {
+  TwoTriangles two = two_triangles(0.4 * gap, 0.5);
+  SelfContact contact{two.cloth, gap, pressure};
+  Rubbing(double slip, double friction) {
+    contact.set_friction({friction});
+    contact.accept(two.q);
+    for (int v = 3; v < 6; ++v) two.q[3 * v] += slip;
+  }
+  /// What the upper triangle is drawn with [N].
+  Vector3 pull() const {
+    Vector gradient = Vector::Zero(18);
+    contact.energy(two.q, &gradient);
+    Vector3 sum = Vector3::Zero();
+    for (int v = 3; v < 6; ++v) sum -= gradient.segment<3>(3 * v);
+    return sum;
+  }
+};
+
+TEST(SelfContact, DerivativesOfFrictionAreThoseOfDifferences) {
+  for (const double slip : {2e-5, 3e-4}) {
+    Rubbing rubbing(slip, 0.4);
+    std::vector<int> reduced(18);
+    for (int i = 0; i < 18; ++i) reduced[static_cast<std::size_t>(i)] = i;
+    SelfContact smooth(rubbing.two.cloth, gap, pressure);
+    const auto of_friction = [&](const Vector& q) {
+      Vector rubs = Vector::Zero(18), slides = Vector::Zero(18);
+      rubbing.contact.energy(q, &rubs);
+      smooth.energy(q, &slides);
+      return Vector(rubs - slides);
+    };
+    SparseMatrix rubs(reduced, rubbing.contact.couplings(rubbing.two.q)), slides = rubs;
+    rubbing.contact.add_hessian(rubbing.two.q, Curvature::Full, rubs);
+    smooth.add_hessian(rubbing.two.q, Curvature::Full, slides);
+    const Vector gradient = of_friction(rubbing.two.q);
+    ASSERT_GT(gradient.norm(), 0);
+    for (int i = 0; i < 18; ++i) {
+      const double h = 1e-9;
+      Vector forth = rubbing.two.q, back = rubbing.two.q;
+      forth[i] += h;
+      back[i] -= h;
+      const double slope = (rubbing.contact.friction_energy(forth) - rubbing.contact.friction_energy(back)) / (2 * h);
+      EXPECT_NEAR(gradient[i], slope, 1e-5 * gradient.norm()) << slip;
+      const Vector column = (of_friction(forth) - of_friction(back)) / (2 * h);
+      for (int j = i; j < 18; ++j) {
+        if (!rubs.has(j, i)) continue;
+        const auto place = static_cast<std::size_t>(rubs.places({i, j})[1]);
+        EXPECT_NEAR(rubs.values()[place] - slides.values()[place], column[j], 1e-3 * column.norm() + 1e-3) << slip;
+      }
+    }
+  }
+}
+
+TEST(SelfContact, RubsByTheCoefficientTimesWhatPresses) {
+  // Apart from the barrier's own small slope along x, which the two with and without friction share.
+  const Rubbing slips(2e-4, 0.4), smooth(2e-4, 0), hardly(1e-5, 0.4), hardly_smooth(1e-5, 0);
+  const double presses = Rubbing(0, 0).pull().z();
+  EXPECT_NEAR((slips.pull() - smooth.pull()).x(), -0.4 * presses, 0.02 * presses);
+  const double holds = -(hardly.pull() - hardly_smooth.pull()).x();
+  EXPECT_GT(holds, 0);
+  EXPECT_LT(holds, 0.4 * 0.2 * presses);
+}
+
 TEST(SelfContact, PushesLayersApartWithOpposedForcesAndOnlyWithinTheGap) {
   TwoTriangles near = two_triangles(0.5 * gap, 0.5);
   Vector gradient = Vector::Zero(18);

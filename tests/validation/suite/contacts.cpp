@@ -5,6 +5,7 @@
 #include <numbers>
 
 #include "runtime/contact/body_contact.hpp"
+#include "runtime/contact/self_contact.hpp"
 #include "runtime/laboratory/rig.hpp"
 #include "tests/validation/suite/figures.hpp"
 #include "tests/validation/suite/meshes.hpp"
@@ -104,7 +105,40 @@ void add_capstan(double friction, Chapter& chapter) {
                                  "ratio of the pulls", std::exp(friction * pi), ratio, 0.01));
 }
 
-/// The table is level and gravity leans, by a tenth of a degree more each time, until the sheet slides.
+/// Two sheets in one cloth, side by side: the left one is held and lies flat, the right one is laid upon it.
+constexpr double plate_side = 0.16, sheet_side = 0.1, beside = 0.2;
+Specimen plate_and_sheet() {
+  const Specimen plate = sheet(Mesh::Irregular, plate_side, plate_side, 0.02);
+  const Specimen upper = sheet(Mesh::Irregular, sheet_side, sheet_side, 0.013);
+  std::vector<Vec2> points = plate.points;
+  for (const Vec2 p : upper.points) points.push_back({p.x + beside, p.y});
+  std::vector<std::array<int, 3>> triangles;
+  for (const ClothTriangle& triangle : plate.cloth.triangles) triangles.push_back(triangle.vertices);
+  const auto shift = static_cast<int>(plate.points.size());
+  for (const ClothTriangle& triangle : upper.cloth.triangles) {
+    const auto& v = triangle.vertices;
+    triangles.push_back({v[0] + shift, v[1] + shift, v[2] + shift});
+  }
+  return {flat_cloth(points, triangles), points};
+}
+
+/// What lies level while gravity leans, by a tenth of a degree more each time, until it slides: the angle at which it
+/// still holds. `watched` is a vertex of it.
+double steepest_hold(Rig& rig, const Cloth& cloth, double weight, double limit, int watched) {
+  double holds = 0;
+  for (double angle = limit - 2; angle < limit + 2; angle += 0.1) {
+    for (int v = 0; v < cloth.vertex_count; ++v) {
+      rig.load.forces.segment<3>(3 * v) = weight * gravity * cloth.area_of_vertex[static_cast<std::size_t>(v)] *
+                                          Vector3(std::sin(angle * degree), 0, -std::cos(angle * degree));
+    }
+    const Vector3 before = rig.at(watched);
+    const bool rests = rig.solve(weight * gravity * cloth.area / cloth.vertex_count, 1e-4, 100);
+    if (!rests || (rig.at(watched) - before).norm() > 0.002) break;
+    holds = angle;
+  }
+  return holds;
+}
+
 void add_incline(double friction, Chapter& chapter) {
   const auto body = body_of(PlaneSpec{0});
   const Specimen specimen = sheet(Mesh::Irregular, 0.1, 0.1, 0.01);
@@ -116,20 +150,31 @@ void add_incline(double friction, Chapter& chapter) {
   }
   BodyContact contact(specimen.cloth, *body, half_thickness, friction);
   rig.also(contact);
-  double holds = 0;
-  for (double angle = limit - 2; angle < limit + 2; angle += 0.1) {
-    for (std::size_t v = 0; v < specimen.points.size(); ++v) {
-      const double force = law.weight * gravity * specimen.cloth.area_of_vertex[v];
-      rig.load.forces.segment<3>(static_cast<Eigen::Index>(3 * v)) =
-          force * Vector3(std::sin(angle * degree), 0, -std::cos(angle * degree));
-    }
-    const Vector3 before = rig.at(0);
-    const bool rests = rig.solve(law.weight * gravity * specimen.cloth.area / specimen.cloth.vertex_count, 1e-4, 100);
-    if (!rests || (rig.at(0) - before).norm() > 0.002) break;
-    holds = angle;
+  chapter.figures.push_back(within(fmt::format("sheet on a slope, μ = {}", friction), "angle at which it slides [°]",
+                                   limit, steepest_hold(rig, specimen.cloth, law.weight, limit, 0), 0.5));
+}
+
+void add_incline_of_cloth(double friction, Chapter& chapter) {
+  constexpr double gap = 2 * half_thickness, pressure = 5000;
+  const Specimen specimen = plate_and_sheet();
+  const FabricLaw law = bending_cloth({1e-5, 1e-5}, 5e-6, 0.2, 1000);
+  const double limit = std::atan(friction) / degree;
+  const auto is_plate = [](Vec2 p) { return p.x < beside; };
+  Rig rig(specimen, law, [&](Vec2 p) { return std::array<bool, 3>{is_plate(p), is_plate(p), is_plate(p)}; });
+  int watched = 0;
+  for (std::size_t v = 0; v < specimen.points.size(); ++v) {
+    const Vec2 p = specimen.points[v];
+    if (is_plate(p)) continue;
+    watched = static_cast<int>(v);
+    // Off the middle, so that the meshes do not match.
+    rig.put(watched, {p.x - beside + 0.027, p.y + 0.031, 0.97 * gap});
   }
-  chapter.figures.push_back(
-      within(fmt::format("sheet on a slope, μ = {}", friction), "angle at which it slides [°]", limit, holds, 0.5));
+  SelfContact layers(specimen.cloth, gap, pressure);
+  layers.set_friction({friction});
+  rig.also(layers);
+  chapter.figures.push_back(within(fmt::format("sheet on a sheet of cloth on a slope, μ = {}", friction),
+                                   "angle at which it slides [°]", limit,
+                                   steepest_hold(rig, specimen.cloth, law.weight, limit, watched), 0.5));
 }
 
 }  // namespace
@@ -137,7 +182,7 @@ void add_incline(double friction, Chapter& chapter) {
 Chapter contact(Effort effort) {
   Chapter chapter{"Contact and friction",
                   "A stretched tube presses with its tension over the radius; over a post the pulls are as e^(μβ); a "
-                  "sheet slides where the slope is μ.",
+                  "sheet slides where the slope is μ, on a body and on cloth.",
                   {},
                   {},
                   {}};
@@ -148,6 +193,7 @@ Chapter contact(Effort effort) {
   for (const double friction : {0.2, 0.5}) {
     add_capstan(friction, chapter);
     add_incline(friction, chapter);
+    add_incline_of_cloth(friction, chapter);
   }
   return chapter;
 }
