@@ -291,7 +291,7 @@ class PieceDrafter {
 
   void free_grain(const syntax::Token& word) {
     draft_.free_grain = true;
-    if (draft_.chart) return;
+    if (draft_.chart || piece_.plan.on) return;  // a map that is wrong is told by itself
     fail();
     session_.report.add(Problem("E0103", "only a piece that is drawn on a body finds its grain by itself")
                             .at(module_.at(word))

@@ -58,6 +58,11 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   const Garment& garment = developed.drawn->garment;
   const std::optional<Target> form = target(*developed.drawn, *developed.on_form.body);
   if (!form) return std::nullopt;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    developed.tried = try_darts(developed.draft, *developed.on_form.body, triangles_of_a_piece(developed.draft), job_);
+  }
+  if (interrupted()) return std::nullopt;
   flatten_to(*form, developed);
   if (command.within && !interrupted()) correct(command, *form, developed);
   if (interrupted()) return std::nullopt;
@@ -74,13 +79,16 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   return developed;
 }
 
+int Workroom::triangles_of_a_piece(const DraftGarment& draft) const {
+  return options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
+}
+
 void Workroom::propose_darts(const DevelopCommand& command, Developed& developed) {
   const DraftGarment& draft = developed.draft;
-  const int triangles = options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
   DartProposal proposal;
   {
     const Stopwatch watch(profile_.solve_s);
-    proposal = toile::propose_darts(draft, *developed.on_form.body, *command.strain, triangles, job_);
+    proposal = toile::propose_darts(draft, *developed.on_form.body, *command.strain, triangles_of_a_piece(draft), job_);
   }
   if (proposal.darts.empty() || interrupted()) return;
   auto made = std::make_shared<MadeGarment>();
@@ -183,6 +191,14 @@ void Workroom::note_strain(const DevelopCommand& command, const Developed& devel
                     "developed here", "divide the piece by a seam where the picture of the strain is darkest"));
 }
 
+void Workroom::note_tried(const TriedDart& dart) {
+  listener_->noted(
+      fmt::format("tried in {}: {}; it would {} by {:.1f} mm and leave {:.3g} J of {:.3g} J, 95 % of the "
+                  "cloth strained by {:.2f} % at most, not {:.2f} %",
+                  dart.piece, slit_text(dart.dart), dart.opens ? "open" : "lap over", 1000 * dart.opening,
+                  dart.with.energy, dart.without.energy, 100 * dart.with.p95, 100 * dart.without.p95));
+}
+
 void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {
   const Flattened& flat = developed.development.flat;
   listener_->noted(fmt::format(
@@ -199,6 +215,7 @@ void Workroom::note_development(const DevelopCommand& command, const Developed& 
     listener_->noted(fmt::format("proposed for {}: {}; without it {:.3g} J and {:.2f} % would be left", dart.piece,
                                  slit_text(dart.dart), dart.without.energy, 100 * dart.without.p95));
   }
+  for (const TriedDart& dart : developed.tried) note_tried(dart);
   if (command.strain) note_strain(command, developed);
   if (flat.converged) return;
   outcome_.unsettled = true;

@@ -133,7 +133,7 @@ double energy_of(const FlatteningInput& input, const std::vector<Vec2>& uv, cons
     const auto target = target_triangle({at(input.target, 0), at(input.target, 1), at(input.target, 2)});
     const PlaneCorners corners{at(uv, 0), at(uv, 1), at(uv, 2)};
     if (!target || !(turn(corners) > 0)) continue;
-    const MembraneEnergy energy = flattening_energy(law, *target, corners, nullptr);
+    const MembraneEnergy energy = FlatTriangle(law, *target, corners).energy();
     sum += energy.warp + energy.weft + energy.shear;
   }
   return sum;
