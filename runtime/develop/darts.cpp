@@ -104,8 +104,8 @@ class PieceWithDarts {
 
   struct Trial {
     ResidualStrain left;
-    bool all_open = true, last_opens = true;  // its darts all along; the last one
-    double last_opening = 0;                  // [m] of the mouth of that
+    bool all_open = true, last_opens = true;  // its darts all along; the last one at its mouth
+    double last_opening = 0;                  // [m] of that
   };
 
   /// What is left with these darts; nothing where they cannot be cut or do not open.
@@ -133,10 +133,10 @@ class PieceWithDarts {
     Trial left{left_in(development)};
     for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
       for (const Dart& dart : garment.pieces[p].darts) {
-        const bool opens = is_open(mesh, p, dart, development);
-        left.all_open = left.all_open && opens;
+        const std::vector<double> apart = openings(mesh, p, dart, development);
+        left.all_open = left.all_open && *std::min_element(apart.begin(), apart.end()) >= least_opening;
         if (with.empty() || dart.name != with.back().name) continue;
-        left.last_opens = left.last_opens && opens;
+        left.last_opens = left.last_opens && apart.front() > 0;
         left.last_opening = opened_dart(mesh.p, static_cast<int>(p), dart, development).width;
       }
     }
@@ -157,20 +157,22 @@ class PieceWithDarts {
     return {flat.energy.warp + flat.energy.weft + flat.energy.shear, worst_strain_p95(warp, weft, shear, areas)};
   }
 
-  /// One leg of a dart is walked to the tip and the other from it, the cloth on the left: all along the way in the
-  /// other leg lies to the right.
-  static bool is_open(const SewnMesh& mesh, std::size_t piece, const Dart& dart, const Development& development) {
+  /// [m] How far the sides of a dart lie apart, from its mouth to before its tip; negative where they lap over. One leg
+  /// is walked to the tip and the other from it, the cloth on the left: the other leg of an open one lies to the right.
+  static std::vector<double> openings(const SewnMesh& mesh, std::size_t piece, const Dart& dart,
+                                      const Development& development) {
     const auto at = [&](int leg, std::size_t from_mouth, bool inwards) {
       const std::vector<int>& nodes = mesh.p.edge_nodes[piece][index(leg)].points;
       return development.points[index(nodes[inwards ? from_mouth : nodes.size() - 1 - from_mouth])];
     };
     const int first = std::min(dart.left_leg, dart.right_leg), second = std::max(dart.left_leg, dart.right_leg);
     const std::size_t nodes = mesh.p.edge_nodes[piece][index(first)].points.size();
+    std::vector<double> apart;
     for (std::size_t i = 0; i + 1 < nodes; ++i) {
       const Vec2 in = at(first, i, true), way = at(first, i + 1, true) - in;
-      if (cross(way, at(second, i, false) - in) > -least_opening * norm(way)) return false;
+      apart.push_back(-cross(way, at(second, i, false) - in) / norm(way));
     }
-    return true;
+    return apart;
   }
 
   /// Mouths along the edges, and tips inside.

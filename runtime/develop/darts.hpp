@@ -43,7 +43,7 @@ struct TriedDart {
   DraftDart dart;
   ResidualStrain without, with;  // what is left in the piece
   double opening = 0;            // [m] of its mouth in the plane
-  bool opens = false;            // all along its sides
+  bool opens = false;            // or else laps over
 };
 
 /// The darts that the pieces of a garment only try. None of a piece that cannot be developed with it.

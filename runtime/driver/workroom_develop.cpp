@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/draft.hpp"
 #include "runtime/drape/rest_state.hpp"
 #include "runtime/driver/result.hpp"
@@ -15,6 +17,18 @@ namespace toile {
 namespace {
 
 constexpr double outline_tolerance = 0.0002;  // [m] of the redrawn edges
+
+/// Pieces that cannot be cut are shown all the same, so that it is seen where they overlap.
+void show_uncut(const DraftGarment& draft, Garment& pattern) {
+  for (const DraftPiece& piece : draft.pieces) {
+    const bool is_cut = std::any_of(pattern.pieces.begin(), pattern.pieces.end(),
+                                    [&](const Piece& cut) { return cut.drawn_name == piece.name; });
+    if (is_cut) continue;
+    Piece shown = drawn_piece(piece).piece;
+    for (PieceEdge& edge : shown.edges) edge.allowance = 0;
+    pattern.pieces.push_back(std::move(shown));
+  }
+}
 
 /// What the development leaves in the cloth where it lies on the form, in the words of a drape.
 Drape residual_drape(const Developed& developed, const FabricLaw& law) {
@@ -75,6 +89,7 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
                       "the developed pattern cannot be cut as it is: " + diagnostic.message, "developed here",
                       "where the form is a saddle a dart does not open: leave it out, or end it elsewhere"));
   }
+  show_uncut(developed.redrawn.draft, developed.pattern);
   note_development(command, developed);
   return developed;
 }
