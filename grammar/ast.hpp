@@ -236,7 +236,7 @@ struct Position : ViewOf<Kind::Position> {
   std::vector<Token> path() const;  // of the edge: two names for one of a hole
 };
 
-/// `trued`, `box`, `pressed left`: a word among the properties of a dart or pleat.
+/// `trued`, `tried`, `box`, `pressed left`: a word among the properties of a dart or pleat.
 struct Flag : ViewOf<Kind::Flag> {
   std::optional<Token> word() const { return child<Token>(*this); }
   std::optional<Token> direction() const { return child<Token>(*this, 1); }  // KwDown KwUp KwLeft KwRight KwOpen

@@ -177,7 +177,8 @@ struct grain_word : pegtl::sor<four_ways, word<Kind::KwBias>, word<Kind::KwFree>
 struct grain : line<Kind::Grain, word<Kind::KwGrain>, pegtl::sor<pegtl::seq<grain_word, at_end<>>, expression>> {};
 
 /// Properties, and words that say enough alone: `{ box, depth 3cm, pressed left }`.
-struct lone_word : pegtl::sor<word<Kind::KwTrued>, word<Kind::KwKnife>, word<Kind::KwBox>, word<Kind::KwInverted>> {};
+struct lone_word : pegtl::sor<word<Kind::KwTrued>, word<Kind::KwTried>, word<Kind::KwKnife>, word<Kind::KwBox>,
+                              word<Kind::KwInverted>> {};
 struct flag : statement<Kind::Flag, lone_word, to_comma, at_end<','>> {};
 struct pressed
     : statement<Kind::Flag, word<Kind::KwPressed>, to_comma, pegtl::sor<four_ways, word<Kind::KwOpen>>, at_end<','>> {};

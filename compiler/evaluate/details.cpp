@@ -128,7 +128,7 @@ class DetailReader {
     const Wanted wanted{session_, scope};
     DraftDart made;
     made.written = module_->at(dart);
-    made.name = name_of(dart.name(), "dart", draft_.darts.size());
+    made.name = name_of(dart.name(), "dart", draft_.darts.size() + draft_.tried.size());
     bool placed = true;
     if (dart.inside()) {
       const auto from = wanted.point(dart.from(), "one end of a dart"), to = wanted.point(dart.to(), "its other end");
@@ -144,7 +144,7 @@ class DetailReader {
         session_, *module_, "dart",
         dart.inside() ? std::vector<std::string>{"width", "widest"}
                       : std::vector<std::string>{"width", "depth", "tip", "short"},
-        dart.inside() ? std::vector<std::string>{"pressed"} : std::vector<std::string>{"trued", "pressed"});
+        dart.inside() ? std::vector<std::string>{"pressed"} : std::vector<std::string>{"trued", "tried", "pressed"});
     for (const syntax::Property& property : dart.properties()) {
       const auto name = sizes.name(property);
       if (!name) continue;
@@ -158,7 +158,15 @@ class DetailReader {
       }
     }
     for (const syntax::Flag& flag : dart.flags()) read_flag(flag, dart.inside(), made);
-    if (piece_.plan.on) return read_slit(std::move(made), placed, sizes, dart.span());
+    const bool tried = has_word(dart, syntax::Kind::KwTried);
+    if (piece_.plan.on) return read_slit(std::move(made), placed, sizes, dart.span(), tried);
+    if (tried) {
+      session_.report.add(Problem("E0103",
+                                  "only a dart that is drawn on a body can be `tried`: what it gains is known "
+                                  "once its piece is developed")
+                              .at(made.written));
+      return fail();
+    }
     if (sizes.has("tip") && sizes.has("depth")) {
       session_.report.add(Problem("E0102", "a dart has a `depth` or a `tip`").at(made.written));
       return fail();
@@ -178,7 +186,7 @@ class DetailReader {
   }
 
   /// A dart of a piece that is drawn on a body is a slit there: how wide it opens comes out of the development.
-  void read_slit(DraftDart made, bool placed, DetailProperties& sizes, Span span) {
+  void read_slit(DraftDart made, bool placed, DetailProperties& sizes, Span span, bool tried) {
     const bool sized = sizes.has("width");
     if (sized || made.edge.empty() || sizes.has("tip") == sizes.has("depth")) {
       session_.report.add(Problem("E0310", sized ? "the width of a dart drawn on a body comes out of the development"
@@ -191,7 +199,13 @@ class DetailReader {
     made.depth = made.tip ? distance(curve_of(draft_, made.edge).at(made.at), *made.tip) : sizes.size("depth");
     made.width = slit_width(made.depth);
     take_name(made.name, made.written);
-    draft_.darts.push_back(std::move(made));
+    (tried ? draft_.tried : draft_.darts).push_back(std::move(made));
+  }
+
+  static bool has_word(const syntax::Dart& dart, syntax::Kind kind) {
+    const std::vector<syntax::Flag> flags = dart.flags();
+    return std::any_of(flags.begin(), flags.end(),
+                       [&](const syntax::Flag& flag) { return flag.word() && flag.word()->kind() == kind; });
   }
 
   /// A length from the first end, or a fraction of the way.
@@ -213,6 +227,8 @@ class DetailReader {
     if (!word) return fail();
     if (word->kind() == syntax::Kind::KwTrued && !inside) {
       dart.trued = true;
+    } else if (word->kind() == syntax::Kind::KwTried && !inside) {
+      return;  // where it goes is known once all of it is read
     } else if (word->kind() == syntax::Kind::KwPressed) {
       dart.pressed = press_of(flag);
     } else {

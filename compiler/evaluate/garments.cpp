@@ -210,10 +210,28 @@ class GarmentBuilder {
       if (diagnostic.severity == Severity::Error) garment_.sound = false;
       session_.report.add(std::move(diagnostic));
     }
+    if (garment_.sound) check_tried();
     if (!garment_.sound) return;
     garment_.index = static_cast<int>(session_.garments.size());
     session_.garments.push_back(std::move(made));
     session_.drafts.push_back(garment_.draft);
+  }
+
+  /// Darts that are only tried have to fit as if they were cut.
+  void check_tried() {
+    for (std::size_t p = 0; p < garment_.draft.pieces.size(); ++p) {
+      for (const DraftDart& dart : garment_.draft.pieces[p].tried) {
+        DraftGarment with = garment_.draft;
+        with.pieces[p].darts.push_back(dart);
+        std::vector<Diagnostic> found;
+        make_garment(with, found);
+        for (Diagnostic& diagnostic : found) {
+          if (diagnostic.severity != Severity::Error) continue;
+          garment_.sound = false;
+          session_.report.add(std::move(diagnostic));
+        }
+      }
+    }
   }
 
   Session& session_;

@@ -182,7 +182,7 @@ class PieceDrafter {
 
   void free_grain(const syntax::Token& word) {
     draft_.free_grain = true;
-    if (piece_.plan.on) return;
+    if (piece_.plan.on) return;  // a map that is wrong is told by itself
     fail();
     session_.report.add(Problem("E0103", "only a piece that is drawn on a body finds its grain by itself")
                             .at(piece_.plan.module_of(word).at(word))

@@ -58,7 +58,9 @@ Schema make_development_schema() {
   }
   add(schema, "strain.shear.", {"min", "mean", "p95", "max"}, "rad");
   add(schema, "strain.worst.", {"p95"}, "%");
-  add(schema, "darts.", {"proposed"}, "1");
+  add(schema, "darts.", {"proposed", "tried"}, "1");
+  add(schema, "tried.", {"gain", "p95"}, "%");
+  add(schema, "tried.", {"opening"}, "m");
   add(schema, "", {"area", "target_area"}, "m^2");
   add(schema, "seams.", {"mismatch"}, "m");
   return schema;

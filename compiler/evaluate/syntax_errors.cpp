@@ -28,7 +28,7 @@ std::string found_text(const Source& source, Span span) {
 }
 
 std::string expected_text(const std::vector<std::string>& expected) {
-  constexpr std::size_t most = 6;
+  constexpr std::size_t most = 7;
   if (expected.empty() || expected.size() > most) return "";
   std::string text;
   for (std::size_t i = 0; i < expected.size(); ++i) {

@@ -111,6 +111,7 @@ struct DraftPiece {
   Vec2 warp{0, -1};
   bool free_grain = false;  // the warp turns where it costs least when the piece is developed
   std::vector<DraftDart> darts;
+  std::vector<DraftDart> tried;  // not made: a development says what each would gain
   std::vector<DraftPivot> pivots;
   std::vector<DraftSpread> spreads;
   std::vector<DraftPleat> pleats;

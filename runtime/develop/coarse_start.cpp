@@ -53,30 +53,35 @@ class CoarseStart {
       places_.push_back(matrix.places(unknowns(lattice_.nodes_of(patch))));
     }
     Cholesky cholesky;
-    cholesky.order_by_degree();
-    cholesky.analyse(matrix);
-    Vector c = Vector::Zero(2 * lattice_.nodes()), gradient;
-    double now = energy(c, &gradient);
+    cholesky.analyse_in_order(matrix);  // nodes of a row after those of another: a band
+    Vector c = Vector::Zero(2 * lattice_.nodes()), gradient, trial_gradient;
+    std::vector<FlatTriangle> flat, trial_flat;
+    double now = energy(c, gradient, flat);
     for (int iteration = 0; iteration < most_iterations; ++iteration) {
-      assemble(c, matrix);
+      assemble(flat, matrix);
       if (!cholesky.factorise(matrix)) break;
       const Vector step = along_grain(cholesky.solve(-gradient), cholesky);
-      const double before = now;
+      const double before = now, slope = gradient.dot(step);
       double fraction = longest_step(c, step);
       for (int halving = 0; halving < lattice_halvings; ++halving, fraction *= 0.5) {
         const Vector trial = c + fraction * step;
-        const double then = energy(trial, nullptr);
-        if (!std::isfinite(then) || then > now + 1e-4 * fraction * gradient.dot(step)) continue;
+        const double then = energy(trial, trial_gradient, trial_flat);
+        if (!std::isfinite(then) || then > now + 1e-4 * fraction * slope) continue;
         c = trial;
+        now = then;
+        gradient.swap(trial_gradient);
+        flat.swap(trial_flat);
         break;
       }
-      now = energy(c, &gradient);
       if (!(now < (1 - enough) * before)) break;
     }
     return moved(c);
   }
 
  private:
+  static constexpr int moved_by = 2 * static_cast<int>(Lattice::held_by);  // unknowns of a patch
+  using OfPatch = Eigen::Matrix<double, moved_by, moved_by, Eigen::RowMajor>;
+
   void take_samples() {
     const std::size_t stride = std::max<std::size_t>(1, input_.triangles.size() / fineness_.samples);
     for (std::size_t t = stride / 2; t < input_.triangles.size(); t += stride) {
@@ -173,51 +178,51 @@ class CoarseStart {
     return uv;
   }
 
-  double energy(const Vector& c, Vector* gradient) const {
-    if (gradient != nullptr) gradient->setZero(c.size());
+  double energy(const Vector& c, Vector& gradient, std::vector<FlatTriangle>& flat) const {
+    flat.clear();
+    gradient.setZero(c.size());
     double sum = 0;
-    Vector6 slope;
     for (const Sample& sample : samples_) {
-      const MembraneEnergy parts =
-          flattening_energy(law_, sample.target, corners(c, sample, true), gradient != nullptr ? &slope : nullptr);
-      sum += parts.warp + parts.weft + parts.shear;
-      if (gradient == nullptr) continue;
+      flat.emplace_back(law_, sample.target, corners(c, sample, true));
+      sum += flat.back().whole_energy();
+      const Vector6 slope = flat.back().gradient();
       const Lattice::Nodes& nodes = lattice_.nodes_of(sample.patch);
       for (std::size_t k = 0; k < Lattice::held_by; ++k) {
-        gradient->segment<2>(2 * nodes[k]) +=
+        gradient.segment<2>(2 * nodes[k]) +=
             sample.weights[0][k] * slope.segment<2>(2) + sample.weights[1][k] * slope.segment<2>(4);
       }
     }
     for (const auto& [a, b] : lattice_.links()) {
       const Eigen::Vector2d apart = c.segment<2>(2 * a) - c.segment<2>(2 * b);
       sum += 0.5 * link_stiffness_ * apart.squaredNorm();
-      if (gradient == nullptr) continue;
-      gradient->segment<2>(2 * a) += link_stiffness_ * apart;
-      gradient->segment<2>(2 * b) -= link_stiffness_ * apart;
+      gradient.segment<2>(2 * a) += link_stiffness_ * apart;
+      gradient.segment<2>(2 * b) -= link_stiffness_ * apart;
     }
     return sum;
   }
 
-  void assemble(const Vector& c, SparseMatrix& matrix) const {
+  void assemble(const std::vector<FlatTriangle>& flat, SparseMatrix& matrix) const {
     matrix.set_zero();
-    for (const Sample& sample : samples_) {
-      const Matrix6 hessian =
-          flattening_hessian(law_, sample.target, corners(c, sample, true), Curvature::PositiveDefinite);
+    std::vector<OfPatch> of_patches(places_.size(), OfPatch::Zero());
+    for (std::size_t s = 0; s < samples_.size(); ++s) {
+      const Sample& sample = samples_[s];
+      const Matrix6 hessian = flat[s].hessian(Curvature::PositiveDefinite);
       const Eigen::Matrix4d sides = hessian.bottomRightCorner<4, 4>();
       // First by the nodes on one side, then on the other.
-      constexpr int size = 2 * static_cast<int>(Lattice::held_by);
-      Eigen::Matrix<double, 4, size> half;
+      Eigen::Matrix<double, 4, moved_by, Eigen::RowMajor> half;
       const auto &first = sample.weights[0], &last = sample.weights[1];
-      for (int b = 0; b < size; ++b) {
+      for (int b = 0; b < moved_by; ++b) {
         half.col(b) = first[index(b / 2)] * sides.col(b % 2) + last[index(b / 2)] * sides.col(2 + b % 2);
       }
-      const std::vector<std::int32_t>& places = places_[index(sample.patch)];
+      OfPatch& sum = of_patches[index(sample.patch)];
+      for (int a = 0; a < moved_by; ++a) {
+        sum.row(a) += first[index(a / 2)] * half.row(a % 2) + last[index(a / 2)] * half.row(2 + a % 2);
+      }
+    }
+    for (std::size_t patch = 0; patch < of_patches.size(); ++patch) {
       std::size_t place = 0;
-      for (int a = 0; a < size; ++a) {
-        const double by_first = first[index(a / 2)], by_last = last[index(a / 2)];
-        for (int b = 0; b <= a; ++b, ++place) {
-          matrix.add_at(places[place], by_first * half(a % 2, b) + by_last * half(2 + a % 2, b));
-        }
+      for (int a = 0; a < moved_by; ++a) {
+        for (int b = 0; b <= a; ++b, ++place) matrix.add_at(places_[patch][place], of_patches[patch](a, b));
       }
     }
     for (const auto& [a, b] : lattice_.links()) {

@@ -73,6 +73,22 @@ class PieceWithDarts {
     }
     return all;
   }
+
+  std::vector<TriedDart> tried_each() {
+    std::vector<TriedDart> all;
+    const std::vector<DraftDart> tries = piece().tried;
+    if (tries.empty()) return all;
+    const std::optional<Trial> without = trial(darts(), whole_);
+    for (const DraftDart& dart : tries) {
+      std::vector<DraftDart> with = darts();
+      with.push_back(dart);
+      const std::optional<Trial> cut = trial(with, whole_);
+      if (without && cut) {
+        all.push_back({piece().name, dart, without->left, cut->left, cut->last_opening, cut->last_opens});
+      }
+    }
+    return all;
+  }
   int developments() const { return developments_; }
 
  private:
@@ -86,9 +102,20 @@ class PieceWithDarts {
   int added() { return static_cast<int>(darts().size()) - drawn_; }
   const DraftPiece& piece() const { return alone_.pieces.front(); }
 
+  struct Trial {
+    ResidualStrain left;
+    bool all_open = true, last_opens = true;  // its darts all along; the last one at its mouth
+    double last_opening = 0;                  // [m] of that
+  };
+
   /// What is left with these darts; nothing where they cannot be cut or do not open.
   std::optional<ResidualStrain> tried(const std::vector<DraftDart>& with, const PMeshOptions& options,
                                       bool must_open = true) {
+    const std::optional<Trial> found = trial(with, options);
+    return found && (found->all_open || !must_open) ? std::optional(found->left) : std::nullopt;
+  }
+
+  std::optional<Trial> trial(const std::vector<DraftDart>& with, const PMeshOptions& options) {
     DraftGarment draft = alone_;
     draft.pieces.front().darts = with;
     std::vector<Diagnostic> found;
@@ -103,8 +130,17 @@ class PieceWithDarts {
     FlattenOptions flattening;
     flattening.tolerance = 1e-4;
     const Development development = develop(garment, mesh, std::move(target), flattening, job_);
-    if (must_open && !all_open(garment, mesh, development)) return std::nullopt;
-    return left_in(development);
+    Trial left{left_in(development)};
+    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
+      for (const Dart& dart : garment.pieces[p].darts) {
+        const std::vector<double> apart = openings(mesh, p, dart, development);
+        left.all_open = left.all_open && *std::min_element(apart.begin(), apart.end()) >= least_opening;
+        if (with.empty() || dart.name != with.back().name) continue;
+        left.last_opens = left.last_opens && apart.front() > 0;
+        left.last_opening = opened_dart(mesh.p, static_cast<int>(p), dart, development).width;
+      }
+    }
+    return left;
   }
 
   static ResidualStrain left_in(const Development& development) {
@@ -121,24 +157,22 @@ class PieceWithDarts {
     return {flat.energy.warp + flat.energy.weft + flat.energy.shear, worst_strain_p95(warp, weft, shear, areas)};
   }
 
-  /// One leg of a dart is walked to the tip and the other from it, the cloth on the left: all along the way in the
-  /// other leg lies to the right.
-  static bool all_open(const Garment& garment, const SewnMesh& mesh, const Development& development) {
-    for (std::size_t p = 0; p < garment.pieces.size(); ++p) {
-      for (const Dart& dart : garment.pieces[p].darts) {
-        const auto at = [&](int leg, std::size_t from_mouth, bool inwards) {
-          const std::vector<int>& nodes = mesh.p.edge_nodes[p][index(leg)].points;
-          return development.points[index(nodes[inwards ? from_mouth : nodes.size() - 1 - from_mouth])];
-        };
-        const int first = std::min(dart.left_leg, dart.right_leg), second = std::max(dart.left_leg, dart.right_leg);
-        const std::size_t nodes = mesh.p.edge_nodes[p][index(first)].points.size();
-        for (std::size_t i = 0; i + 1 < nodes; ++i) {
-          const Vec2 in = at(first, i, true), way = at(first, i + 1, true) - in;
-          if (cross(way, at(second, i, false) - in) > -least_opening * norm(way)) return false;
-        }
-      }
+  /// [m] How far the sides of a dart lie apart, from its mouth to before its tip; negative where they lap over. One leg
+  /// is walked to the tip and the other from it, the cloth on the left: the other leg of an open one lies to the right.
+  static std::vector<double> openings(const SewnMesh& mesh, std::size_t piece, const Dart& dart,
+                                      const Development& development) {
+    const auto at = [&](int leg, std::size_t from_mouth, bool inwards) {
+      const std::vector<int>& nodes = mesh.p.edge_nodes[piece][index(leg)].points;
+      return development.points[index(nodes[inwards ? from_mouth : nodes.size() - 1 - from_mouth])];
+    };
+    const int first = std::min(dart.left_leg, dart.right_leg), second = std::max(dart.left_leg, dart.right_leg);
+    const std::size_t nodes = mesh.p.edge_nodes[piece][index(first)].points.size();
+    std::vector<double> apart;
+    for (std::size_t i = 0; i + 1 < nodes; ++i) {
+      const Vec2 in = at(first, i, true), way = at(first, i + 1, true) - in;
+      apart.push_back(-cross(way, at(second, i, false) - in) / norm(way));
     }
-    return true;
+    return apart;
   }
 
   /// Mouths along the edges, and tips inside.
@@ -319,6 +353,14 @@ std::vector<ProposedDart> without_each_dart(const DraftGarment& draft, const Bod
     for (ProposedDart& dart : PieceWithDarts(draft, p, body, triangles, job).without_each_from(0)) {
       all.push_back(std::move(dart));
     }
+  }
+  return all;
+}
+
+std::vector<TriedDart> try_darts(const DraftGarment& draft, const Body& body, int triangles, const Job& job) {
+  std::vector<TriedDart> all;
+  for (std::size_t p = 0; p < draft.pieces.size(); ++p) {
+    for (TriedDart& dart : PieceWithDarts(draft, p, body, triangles, job).tried_each()) all.push_back(std::move(dart));
   }
   return all;
 }

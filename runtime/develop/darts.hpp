@@ -36,6 +36,19 @@ DartProposal propose_darts(const DraftGarment& draft, const Body& body, double s
 /// What would be left in their pieces without each of the darts that a garment is drawn with: what a cut there gains.
 std::vector<ProposedDart> without_each_dart(const DraftGarment& draft, const Body& body, int triangles, const Job& job);
 
+/// A dart that is not made, and what it would do: cut there, the cloth would open, or lap over where the form is a
+/// saddle and wants more of it.
+struct TriedDart {
+  std::string piece;
+  DraftDart dart;
+  ResidualStrain without, with;  // what is left in the piece
+  double opening = 0;            // [m] of its mouth in the plane
+  bool opens = false;            // or else laps over
+};
+
+/// The darts that the pieces of a garment only try. None of a piece that cannot be developed with it.
+std::vector<TriedDart> try_darts(const DraftGarment& draft, const Body& body, int triangles, const Job& job);
+
 /// Of a flat pattern whose strains and areas of triangles are these.
 double worst_strain_p95(const std::vector<double>& warp, const std::vector<double>& weft,
                         const std::vector<double>& shear, const std::vector<double>& areas);

@@ -75,6 +75,7 @@ class Flattening {
     force_scale_ = stiffness_ * std::sqrt(4 / std::sqrt(3.0) * area / count);
     match_stiffness_ = first_match * stiffness_ * std::sqrt(area);
     aims_.assign(input.matches.size(), 0.0);
+    hessians_.resize(targets_.size());
     cholesky_.join_more_columns();
     cholesky_.analyse_in_order(matrix_);
   }
@@ -100,7 +101,7 @@ class Flattening {
     return largest_mismatch(input_, [&](int point) { return at(q_, point); });
   }
 
-  double energy(const Vector& q, Vector* gradient) const;
+  double energy(const Vector& q, Vector& gradient, std::vector<FlatTriangle>& flat) const;
   bool assemble(Curvature curvature, double lift);
   void add_matches(Curvature curvature);
   bool factorise(double residual);
@@ -124,6 +125,8 @@ class Flattening {
   std::vector<TargetTriangle> targets_;
   std::vector<std::vector<std::int32_t>> triangle_places_, match_places_;
   Vector q_;
+  std::vector<FlatTriangle> flat_;  // as they lie at q_
+  std::vector<Matrix6> hessians_;
   double stiffness_ = 0, force_scale_ = 0, match_stiffness_ = 0;
   std::vector<double>
       aims_;  // [m] of each match: how much its spring wants it longer, so that with the load it is right
@@ -134,24 +137,18 @@ class Flattening {
   bool converged_ = false, cancelled_ = false;
 };
 
-double Flattening::energy(const Vector& q, Vector* gradient) const {
-  std::vector<double> energies(input_.triangles.size());
-  std::vector<Vector6> slopes(gradient != nullptr ? energies.size() : 0);
-  parallel_for(energies.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      const MembraneEnergy parts =
-          flattening_energy(law_, targets_[t], corners(q, t), gradient != nullptr ? &slopes[t] : nullptr);
-      energies[t] = parts.warp + parts.weft + parts.shear;
-    }
+double Flattening::energy(const Vector& q, Vector& gradient, std::vector<FlatTriangle>& flat) const {
+  flat.resize(input_.triangles.size());
+  parallel_for(flat.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) flat[t] = FlatTriangle(law_, targets_[t], corners(q, t));
   });
   double sum = 0;
-  for (const double each : energies) sum += each;
-  if (gradient != nullptr) {
-    gradient->setZero(q.size());
-    for (std::size_t t = 0; t < slopes.size(); ++t) {
-      for (int i = 0; i < 3; ++i) {
-        gradient->segment<2>(2 * input_.triangles[t][static_cast<std::size_t>(i)]) += slopes[t].segment<2>(2 * i);
-      }
+  gradient.setZero(q.size());
+  for (std::size_t t = 0; t < flat.size(); ++t) {
+    sum += flat[t].whole_energy();
+    const Vector6 slope = flat[t].gradient();
+    for (int i = 0; i < 3; ++i) {
+      gradient.segment<2>(2 * input_.triangles[t][static_cast<std::size_t>(i)]) += slope.segment<2>(2 * i);
     }
   }
   for (std::size_t i = 0; i < input_.matches.size(); ++i) {
@@ -159,16 +156,13 @@ double Flattening::energy(const Vector& q, Vector* gradient) const {
     const Mismatch m = mismatch_of(i, q);
     const double k = match_stiffness_ / match.length;
     sum += 0.5 * k * m.value * m.value;
-    if (gradient == nullptr) continue;
     const std::array<int, 4> points = points_of(match);
     for (int end = 0; end < 4; ++end) {
-      gradient->segment<2>(2 * points[index(end)]) += k * m.value * m.gradient.segment<2>(2 * end);
+      gradient.segment<2>(2 * points[index(end)]) += k * m.value * m.gradient.segment<2>(2 * end);
     }
   }
-  if (gradient != nullptr) {
-    for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
-      if (matrix_.reduced()[i] < 0) (*gradient)[static_cast<Eigen::Index>(i)] = 0;
-    }
+  for (std::size_t i = 0; i < matrix_.reduced().size(); ++i) {
+    if (matrix_.reduced()[i] < 0) gradient[static_cast<Eigen::Index>(i)] = 0;
   }
   return sum;
 }
@@ -185,19 +179,16 @@ void Flattening::add_matches(Curvature curvature) {
 }
 
 bool Flattening::assemble(Curvature curvature, double lift) {
-  std::vector<Matrix6> hessians(input_.triangles.size());
-  parallel_for(hessians.size(), [&](std::size_t begin, std::size_t end) {
-    for (std::size_t t = begin; t < end; ++t) {
-      hessians[t] = flattening_hessian(law_, targets_[t], corners(q_, t), curvature);
-    }
+  parallel_for(hessians_.size(), [&](std::size_t begin, std::size_t end) {
+    for (std::size_t t = begin; t < end; ++t) hessians_[t] = flat_[t].hessian(curvature);
   });
   matrix_.set_zero();
-  for (std::size_t t = 0; t < hessians.size(); ++t) {
+  for (std::size_t t = 0; t < hessians_.size(); ++t) {
     std::size_t k = 0;
     for (int i = 0; i < 6; ++i) {
       for (int j = 0; j <= i; ++j, ++k) {
         const std::int32_t place = triangle_places_[t][k];
-        if (place >= 0) matrix_.add_at(place, hessians[t](i, j));
+        if (place >= 0) matrix_.add_at(place, hessians_[t](i, j));
       }
     }
   }
@@ -253,13 +244,14 @@ bool Flattening::aim_anew() {
 void Flattening::minimise(const Job& job) {
   const double goal = options_.tolerance * force_scale_;
   Vector gradient, trial_gradient;
-  double now = energy(q_, &gradient);
+  std::vector<FlatTriangle> trial_flat;
+  double now = energy(q_, gradient, flat_);
   const double first = residual_force(gradient);
   bool factored = false;
   for (int round = 0; round < options_.max_iterations; ++round, ++iterations_) {
     double before = std::exchange(residual_, residual_force(gradient));
     if (residual_ <= std::max(goal, fair_rest * force_scale_) && aim_anew()) {
-      now = energy(q_, &gradient);
+      now = energy(q_, gradient, flat_);
       residual_ = residual_force(gradient);
       before = std::numeric_limits<double>::infinity();  // what gives way is the same
     }
@@ -283,12 +275,13 @@ void Flattening::minimise(const Job& job) {
     bool lowered = false;
     for (int halving = 0; halving < most_halvings && !lowered; ++halving, fraction *= 0.5) {
       const Vector trial = q_ + fraction * step;
-      const double then = energy(trial, &trial_gradient);  // nearly always it goes on from there
+      const double then = energy(trial, trial_gradient, trial_flat);  // nearly always it goes on from there
       if (!std::isfinite(then) || then > now + 1e-4 * fraction * slope + noise) continue;
       lowered = true;
       q_ = trial;
       now = then;
       gradient.swap(trial_gradient);
+      flat_.swap(trial_flat);
     }
     if (!lowered && fresh) return;
     if (!lowered) factored = false;
@@ -339,11 +332,12 @@ Flattened measured(const FlatteningInput& input, const FabricLaw& law, std::vect
     const std::array<int, 3>& triangle = input.triangles[t];
     const PlaneCorners corners{uv[index(triangle[0])], uv[index(triangle[1])], uv[index(triangle[2])]};
     const TargetTriangle target = target_of(input, t);
-    const MembraneEnergy parts = flattening_energy(law, target, corners, nullptr);
+    const FlatTriangle flattened(law, target, corners);
+    const MembraneEnergy parts = flattened.energy();
     flat.energy.warp += parts.warp;
     flat.energy.weft += parts.weft;
     flat.energy.shear += parts.shear;
-    flat.strains.push_back(flattening_strain(target, corners));
+    flat.strains.push_back(flattened.strain());
     flat.area += 0.5 * turn(corners);
     flat.target_area += target.area;
     if (!(turn(corners) > 0)) ++flat.flipped;

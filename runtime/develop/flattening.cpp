@@ -5,85 +5,13 @@
 namespace toile {
 namespace {
 
-using Vector2 = Eigen::Vector2d;
-using Matrix2 = Eigen::Matrix2d;
 using Vector4 = Eigen::Vector4d;
 using Matrix4 = Eigen::Matrix4d;
 
+constexpr int entries = 4;  // of the gradient of a displacement in the plane
 constexpr int most_sweeps = 12;
-constexpr int most_turns = 4;  // of Rayleigh's iteration, which triples the digits each time
-
-double cross(const Vector2& a, const Vector2& b) {
-  return a.x() * b.y() - a.y() * b.x();
-}
-
-Matrix2 plane_sides(const PlaneCorners& uv) {
-  const Vec2 first = uv[1] - uv[0], second = uv[2] - uv[0];
-  Matrix2 sides;
-  sides << first.x, second.x, first.y, second.y;
-  return sides;
-}
-
-/// The state of a triangle: what is to be known of the columns of F = X U^-1.
-struct FlatState {
-  double area;                             // in the plane
-  double warp_length, weft_length, angle;  // |fu|, |fv|, phi
-  double along, across;                    // fu . fv, fu x fv
-};
-
-FlatState flat_state(const TargetTriangle& target, const PlaneCorners& uv) {
-  const Matrix2 plane = plane_sides(uv);
-  FlatState s;
-  s.area = 0.5 * plane.determinant();
-  const Matrix2 f = target.sides * plane.inverse();
-  s.warp_length = f.col(0).norm();
-  s.weft_length = f.col(1).norm();
-  s.along = f.col(0).dot(f.col(1));
-  s.across = cross(f.col(0), f.col(1));
-  s.angle = std::atan2(s.along, s.across);
-  return s;
-}
-
-struct Densities {
-  Density warp, weft, shear;
-  double energy() const { return warp.energy + weft.energy + shear.energy; }
-};
-Densities densities(const FabricLaw& law, const FlatState& s) {
-  return {law.warp(s.warp_length - 1), law.weft(s.weft_length - 1), law.shear(s.angle)};
-}
-
-// Derivatives are taken by K, the gradient of a small displacement in the plane: K = dU U^-1, entries uu, uv, vu, vv.
-// Then dF = -F K, d2F = 2 F K K, dA = A tr K and d2A = 2 A det K. The lengths of the threads, a and b, and phi change
-// by -(a, 0, along / a, 0), -(0, along / b, 0, b) and -(0, across / b^2, across / a^2, 0).
-constexpr int entries = 4;
-
-Vector4 slope_by_displacement(const FlatState& s, const Densities& psi) {
-  const double a = s.warp_length, b = s.weft_length;
-  return {psi.energy() - a * psi.warp.force, -s.along / b * psi.weft.force - s.across / (b * b) * psi.shear.force,
-          -s.along / a * psi.warp.force - s.across / (a * a) * psi.shear.force, psi.energy() - b * psi.weft.force};
-}
-
-/// The terms of the threads' second derivatives that those of the area do not cancel.
-Matrix4 hessian_by_displacement(const FlatState& s, const Densities& psi) {
-  const double a = s.warp_length, b = s.weft_length, a2 = a * a, b2 = b * b;
-  const double turn_warp = s.across / a2, turn_weft = s.across / b2, force = psi.shear.force;
-  const double tension = a * psi.warp.force + b * psi.weft.force - psi.energy();
-  const auto aside = [&](const Density& thread, double length, double turned) {
-    const double slanted = s.along / length;
-    return thread.stiffness * slanted * slanted + psi.shear.stiffness * turned * turned +
-           thread.force * length * turned * turned - 2 * force * slanted / length * turned;
-  };
-  Matrix4 h = Matrix4::Zero();
-  h(0, 0) = psi.warp.stiffness * a2;
-  h(3, 3) = psi.weft.stiffness * b2;
-  h(1, 1) = aside(psi.weft, b, turn_weft);
-  h(2, 2) = aside(psi.warp, a, turn_warp);
-  h(0, 2) = h(2, 0) = psi.warp.stiffness * s.along - turn_warp * force;
-  h(1, 3) = h(3, 1) = psi.weft.stiffness * s.along - turn_weft * force;
-  h(0, 3) = h(3, 0) = -tension;
-  h(1, 2) = h(2, 1) = psi.shear.stiffness * turn_warp * turn_weft + tension;
-  return s.area * h;
-}
+constexpr int most_turns = 4;              // of Rayleigh's iteration, which triples the digits each time
+constexpr double eigenvalue_error = 1e-9;  // of the largest one
 
 /// Whether Cholesky's factor of a symmetric matrix exists.
 bool is_definite(const Matrix4& symmetric) {
@@ -102,15 +30,19 @@ bool is_definite(const Matrix4& symmetric) {
 /// plane, found by Rayleigh's iteration from there.
 std::optional<Matrix4> without_turn(const Matrix4& symmetric) {
   Vector4 v = Vector4(0, 1, -1, 0) * std::sqrt(0.5);
-  double value = v.dot(symmetric * v);
-  for (int round = 0; round < most_turns; ++round) {
+  const double error = eigenvalue_error * symmetric.norm();
+  double value = 0;
+  bool found = false;
+  for (int turn = 0; turn <= most_turns; ++turn) {
+    const Vector4 image = symmetric * v;
+    value = v.dot(image);
+    found = (image - value * v).norm() < error;
+    if (found || turn == most_turns) break;
     const Vector4 next = (symmetric - value * Matrix4::Identity()).inverse() * v;
     const double length = next.norm();
     if (!std::isfinite(length) || !(length > 0)) break;
     v = next / length;
-    value = v.dot(symmetric * v);
   }
-  const bool found = (symmetric * v - value * v).norm() < 1e-9 * symmetric.norm();
   if (!found || value >= 0 || !is_definite(symmetric - 2 * value * v * v.transpose())) return std::nullopt;
   return symmetric - value * v * v.transpose();
 }
@@ -170,45 +102,87 @@ std::optional<TargetTriangle> target_triangle(const std::array<Vec3, 3>& corners
   return target;
 }
 
-MembraneStrain flattening_strain(const TargetTriangle& target, const PlaneCorners& uv) {
-  const FlatState s = flat_state(target, uv);
-  return {s.warp_length - 1, s.weft_length - 1, s.angle};
+FlatTriangle::FlatTriangle(const FabricLaw& law, const TargetTriangle& target, const PlaneCorners& uv) {
+  const Vec2 first = uv[1] - uv[0], second = uv[2] - uv[0];
+  const double twice_area = cross(first, second);
+  area_ = 0.5 * twice_area;
+  by_u_[1] = second.y / twice_area;
+  by_u_[2] = -first.y / twice_area;
+  by_v_[1] = -second.x / twice_area;
+  by_v_[2] = first.x / twice_area;
+  by_u_[0] = -(by_u_[1] + by_u_[2]);
+  by_v_[0] = -(by_v_[1] + by_v_[2]);
+  const auto& sides = target.sides;
+  const Vec2 fu{sides(0, 0) * by_u_[1] + sides(0, 1) * by_u_[2], sides(1, 1) * by_u_[2]};
+  const Vec2 fv{sides(0, 0) * by_v_[1] + sides(0, 1) * by_v_[2], sides(1, 1) * by_v_[2]};
+  warp_length_ = std::sqrt(dot(fu, fu));  // nowhere near where squares overflow
+  weft_length_ = std::sqrt(dot(fv, fv));
+  along_ = dot(fu, fv);
+  across_ = cross(fu, fv);
+  warp_ = law.warp(warp_length_ - 1);
+  weft_ = law.weft(weft_length_ - 1);
+  shear_ = law.shear(std::atan2(along_, across_));
 }
 
-MembraneEnergy flattening_energy(const FabricLaw& law, const TargetTriangle& target, const PlaneCorners& uv,
-                                 Vector6* gradient) {
-  const FlatState s = flat_state(target, uv);
-  const Densities psi = densities(law, s);
-  if (gradient != nullptr) {
-    const Vector4 slope = s.area * slope_by_displacement(s, psi);
-    const MembraneShape shape = membrane_shape(uv);
-    for (int i = 0; i < 3; ++i) {
-      const double du = shape.du[static_cast<std::size_t>(i)], dv = shape.dv[static_cast<std::size_t>(i)];
-      (*gradient)[2 * i] = du * slope[0] + dv * slope[1];
-      (*gradient)[2 * i + 1] = du * slope[2] + dv * slope[3];
-    }
+MembraneStrain FlatTriangle::strain() const {
+  return {warp_length_ - 1, weft_length_ - 1, std::atan2(along_, across_)};
+}
+
+// Derivatives are taken by K, the gradient of a small displacement in the plane: K = dU U^-1, entries uu, uv, vu, vv.
+// Then dF = -F K, d2F = 2 F K K, dA = A tr K and d2A = 2 A det K. The lengths of the threads, a and b, and phi change
+// by -(a, 0, along / a, 0), -(0, along / b, 0, b) and -(0, across / b^2, across / a^2, 0). A corner's two coordinates
+// change K by the slopes of its shape function: u the first row of K, v the second.
+
+Vector6 FlatTriangle::gradient() const {
+  const double a = warp_length_, b = weft_length_, force = across_ * shear_.force;
+  const double uu = area_ * (density() - a * warp_.force), vv = area_ * (density() - b * weft_.force);
+  const double uv = -area_ * (along_ / b * weft_.force + force / (b * b));
+  const double vu = -area_ * (along_ / a * warp_.force + force / (a * a));
+  Vector6 gradient;
+  for (int i = 0; i < 3; ++i) {
+    const double by_u = by_u_[static_cast<std::size_t>(i)], by_v = by_v_[static_cast<std::size_t>(i)];
+    gradient[2 * i] = by_u * uu + by_v * uv;
+    gradient[2 * i + 1] = by_u * vu + by_v * vv;
   }
-  return {s.area * psi.warp.energy, s.area * psi.weft.energy, s.area * psi.shear.energy};
+  return gradient;
 }
 
-Matrix6 flattening_hessian(const FabricLaw& law, const TargetTriangle& target, const PlaneCorners& uv,
-                           Curvature curvature) {
-  const FlatState s = flat_state(target, uv);
-  Matrix4 by_displacement = hessian_by_displacement(s, densities(law, s));
+/// The terms of the threads' second derivatives that those of the area do not cancel.
+Matrix4 FlatTriangle::hessian_by_displacement() const {
+  const double a = warp_length_, b = weft_length_, a2 = a * a, b2 = b * b;
+  const double turn_warp = across_ / a2, turn_weft = across_ / b2, force = shear_.force;
+  const double tension = a * warp_.force + b * weft_.force - density();
+  const auto aside = [&](const Density& thread, double length, double turned) {
+    const double slanted = along_ / length;
+    return thread.stiffness * slanted * slanted + shear_.stiffness * turned * turned +
+           thread.force * length * turned * turned - 2 * force * slanted / length * turned;
+  };
+  Matrix4 h = Matrix4::Zero();
+  h(0, 0) = warp_.stiffness * a2;
+  h(3, 3) = weft_.stiffness * b2;
+  h(1, 1) = aside(weft_, b, turn_weft);
+  h(2, 2) = aside(warp_, a, turn_warp);
+  h(0, 2) = h(2, 0) = warp_.stiffness * along_ - turn_warp * force;
+  h(1, 3) = h(3, 1) = weft_.stiffness * along_ - turn_weft * force;
+  h(0, 3) = h(3, 0) = -tension;
+  h(1, 2) = h(2, 1) = shear_.stiffness * turn_warp * turn_weft + tension;
+  return area_ * h;
+}
+
+Matrix6 FlatTriangle::hessian(Curvature curvature) const {
+  Matrix4 by_displacement = hessian_by_displacement();
   if (curvature == Curvature::PositiveDefinite) by_displacement = definite_part(by_displacement);
-  // A corner's two coordinates change K by the gradient of its shape function: u the first row of K, v the second.
-  const MembraneShape shape = membrane_shape(uv);
   Eigen::Matrix<double, entries, 6> by_corners;
   for (int i = 0; i < 3; ++i) {
-    const double du = shape.du[static_cast<std::size_t>(i)], dv = shape.dv[static_cast<std::size_t>(i)];
-    by_corners.col(2 * i) = du * by_displacement.col(0) + dv * by_displacement.col(1);
-    by_corners.col(2 * i + 1) = du * by_displacement.col(2) + dv * by_displacement.col(3);
+    const double by_u = by_u_[static_cast<std::size_t>(i)], by_v = by_v_[static_cast<std::size_t>(i)];
+    by_corners.col(2 * i) = by_u * by_displacement.col(0) + by_v * by_displacement.col(1);
+    by_corners.col(2 * i + 1) = by_u * by_displacement.col(2) + by_v * by_displacement.col(3);
   }
   Matrix6 hessian;
   for (int i = 0; i < 3; ++i) {
-    const double du = shape.du[static_cast<std::size_t>(i)], dv = shape.dv[static_cast<std::size_t>(i)];
-    hessian.row(2 * i) = du * by_corners.row(0) + dv * by_corners.row(1);
-    hessian.row(2 * i + 1) = du * by_corners.row(2) + dv * by_corners.row(3);
+    const double by_u = by_u_[static_cast<std::size_t>(i)], by_v = by_v_[static_cast<std::size_t>(i)];
+    hessian.row(2 * i) = by_u * by_corners.row(0) + by_v * by_corners.row(1);
+    hessian.row(2 * i + 1) = by_u * by_corners.row(2) + by_v * by_corners.row(3);
   }
   return hessian;
 }

@@ -30,13 +30,29 @@ inline double turn(const PlaneCorners& uv) {
   return cross(uv[1] - uv[0], uv[2] - uv[0]);
 }
 
-MembraneStrain flattening_strain(const TargetTriangle& target, const PlaneCorners& uv);
+/// A triangle at a place in the plane, its corners counter-clockwise: E = A(uv) (psi_u + psi_v + psi_s) and its
+/// derivatives by the six coordinates. As it shrinks to a line the energy grows without bound.
+class FlatTriangle {
+ public:
+  FlatTriangle() = default;
+  FlatTriangle(const FabricLaw& law, const TargetTriangle& target, const PlaneCorners& uv);
 
-/// E = A(uv) (psi_u + psi_v + psi_s) and its gradient by the six coordinates where given. The corners must lie counter-
-/// clockwise; as the triangle shrinks to a line the energy grows without bound.
-MembraneEnergy flattening_energy(const FabricLaw& law, const TargetTriangle& target, const PlaneCorners& uv,
-                                 Vector6* gradient);
-Matrix6 flattening_hessian(const FabricLaw& law, const TargetTriangle& target, const PlaneCorners& uv,
-                           Curvature curvature);
+  MembraneEnergy energy() const { return {area_ * warp_.energy, area_ * weft_.energy, area_ * shear_.energy}; }
+  double whole_energy() const { return area_ * density(); }
+  Vector6 gradient() const;
+  Matrix6 hessian(Curvature curvature) const;
+  MembraneStrain strain() const;
+
+ private:
+  using Matrix4 = Eigen::Matrix4d;
+  double density() const { return warp_.energy + weft_.energy + shear_.energy; }
+  Matrix4 hessian_by_displacement() const;
+
+  // Of F = X U^-1: the lengths of its columns fu and fv, fu . fv and fu x fv.
+  double warp_length_ = 1, weft_length_ = 1, along_ = 0, across_ = 1;
+  double area_ = 0;                        // in the plane
+  std::array<double, 3> by_u_{}, by_v_{};  // [1/m] slopes of the corners' shape functions
+  Density warp_, weft_, shear_;
+};
 
 }  // namespace toile

@@ -1,3 +1,5 @@
+#include <algorithm>
+
 #include "runtime/driver/result.hpp"
 #include "runtime/report/summary.hpp"
 
@@ -40,6 +42,15 @@ Result result_of(const Developed& developed) {
   }
   result["strain.worst.p95"] = worst_strain_p95(on_form.strain_warp, on_form.strain_weft, on_form.shear_angle, areas);
   result["darts.proposed"] = static_cast<double>(developed.proposed.size());
+  result["darts.tried"] = static_cast<double>(developed.tried.size());
+  for (const char* name : {"tried.gain", "tried.p95", "tried.opening"}) result[name] = 0;
+  for (const TriedDart& dart : developed.tried) {
+    const double gain = 1 - dart.with.energy / std::max(dart.without.energy, 1e-300);
+    if (&dart != &developed.tried.front() && gain <= result["tried.gain"]) continue;
+    result["tried.gain"] = gain;
+    result["tried.p95"] = dart.with.p95;
+    result["tried.opening"] = dart.opens ? dart.opening : -dart.opening;
+  }
   result["area"] = flat.area;
   result["target_area"] = flat.target_area;
   result["seams.mismatch"] = flat.mismatch;

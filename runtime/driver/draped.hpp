@@ -48,6 +48,7 @@ struct Developed {
   Redrawn redrawn;
   Garment pattern;                     // as redrawn
   std::vector<ProposedDart> proposed;  // its darts beyond those drawn
+  std::vector<TriedDart> tried;        // what each of the darts would do that are drawn, but not cut
   int drapes = 0;                      // that the pattern was corrected by
   Draped on_form;                      // the developed mesh in the places where it was drawn: residual strains
 };

@@ -77,9 +77,10 @@ std::string development_report(const Developed& developed, const std::string& sc
   const MadeGarment& drawn = *developed.drawn;
   const int triangles =
       static_cast<int>(drawn.mesh.p.triangles.size() / std::max<std::size_t>(1, drawn.garment.pieces.size()));
-  return report_json(script, developed.on_form.view(), developed.development, developed.redrawn, developed.proposed,
-                     without_each_dart(developed.draft, *developed.on_form.body, triangles, {}),
-                     study_grain(drawn.mesh, make_law(drawn.garment.fabric), developed.development, {}));
+  return report_json(
+      script, developed.on_form.view(), developed.development, developed.redrawn,
+      {developed.proposed, developed.tried, without_each_dart(developed.draft, *developed.on_form.body, triangles, {})},
+      study_grain(drawn.mesh, make_law(drawn.garment.fabric), developed.development, {}));
 }
 
 std::optional<std::string> development_file(const std::filesystem::path& path, const Developed& developed,
@@ -88,6 +89,9 @@ std::optional<std::string> development_file(const std::filesystem::path& path, c
     std::vector<std::string> notes;
     for (const ProposedDart& dart : developed.proposed) {
       notes.push_back("Proposed where " + dart.piece + " is drawn on the body: " + slit_text(dart.dart));
+    }
+    for (const TriedDart& dart : developed.tried) {
+      notes.push_back("Only tried where " + dart.piece + " is drawn on the body: " + slit_text(dart.dart));
     }
     return pattern_text(developed.redrawn, std::filesystem::path(script).filename().string(), notes);
   }

@@ -103,6 +103,8 @@ class Workroom {
   std::optional<Draped> drape_on_form(const DrapeCommand& command, const Developed& developed, const Target& form,
                                       const AtRestOnForm& at_rest);
   void note_strain(const DevelopCommand& command, const Developed& developed);
+  void note_tried(const TriedDart& dart);
+  int triangles_of_a_piece(const DraftGarment& draft) const;
   void note_development(const DevelopCommand& command, const Developed& developed);
   /// The meshes that draping begins on, the coarsest first.
   const std::vector<CoarseGarment>& coarse(const std::vector<int>& outside_in, const MadeGarment& made);

@@ -2,7 +2,9 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <utility>
 
+#include "compiler/pattern/cutting.hpp"
 #include "compiler/pattern/draft.hpp"
 #include "runtime/drape/rest_state.hpp"
 #include "runtime/driver/result.hpp"
@@ -15,6 +17,18 @@ namespace toile {
 namespace {
 
 constexpr double outline_tolerance = 0.0002;  // [m] of the redrawn edges
+
+/// Pieces that cannot be cut are shown all the same, so that it is seen where they overlap.
+void show_uncut(const DraftGarment& draft, Garment& pattern) {
+  for (const DraftPiece& piece : draft.pieces) {
+    const bool is_cut = std::any_of(pattern.pieces.begin(), pattern.pieces.end(),
+                                    [&](const Piece& cut) { return cut.drawn_name == piece.name; });
+    if (is_cut) continue;
+    Piece shown = drawn_piece(piece).piece;
+    for (PieceEdge& edge : shown.edges) edge.allowance = 0;
+    pattern.pieces.push_back(std::move(shown));
+  }
+}
 
 /// What the development leaves in the cloth where it lies on the form, in the words of a drape.
 Drape residual_drape(const Developed& developed, const FabricLaw& law) {
@@ -58,6 +72,11 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
   const Garment& garment = developed.drawn->garment;
   const std::optional<Target> form = target(*developed.drawn, *developed.on_form.body);
   if (!form) return std::nullopt;
+  {
+    const Stopwatch watch(profile_.solve_s);
+    developed.tried = try_darts(developed.draft, *developed.on_form.body, triangles_of_a_piece(developed.draft), job_);
+  }
+  if (interrupted()) return std::nullopt;
   flatten_to(*form, developed);
   if (command.within && !interrupted()) correct(command, *form, developed);
   if (interrupted()) return std::nullopt;
@@ -70,17 +89,21 @@ std::optional<Developed> Workroom::develop(const DevelopCommand& command) {
                       "the developed pattern cannot be cut as it is: " + diagnostic.message, "developed here",
                       "where the form is a saddle a dart does not open: leave it out, or end it elsewhere"));
   }
+  show_uncut(developed.redrawn.draft, developed.pattern);
   note_development(command, developed);
   return developed;
 }
 
+int Workroom::triangles_of_a_piece(const DraftGarment& draft) const {
+  return options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
+}
+
 void Workroom::propose_darts(const DevelopCommand& command, Developed& developed) {
   const DraftGarment& draft = developed.draft;
-  const int triangles = options_.triangles / static_cast<int>(std::max<std::size_t>(1, draft.pieces.size()));
   DartProposal proposal;
   {
     const Stopwatch watch(profile_.solve_s);
-    proposal = toile::propose_darts(draft, *developed.on_form.body, *command.strain, triangles, job_);
+    proposal = toile::propose_darts(draft, *developed.on_form.body, *command.strain, triangles_of_a_piece(draft), job_);
   }
   if (proposal.darts.empty() || interrupted()) return;
   auto made = std::make_shared<MadeGarment>();
@@ -183,6 +206,14 @@ void Workroom::note_strain(const DevelopCommand& command, const Developed& devel
                     "developed here", "divide the piece by a seam where the picture of the strain is darkest"));
 }
 
+void Workroom::note_tried(const TriedDart& dart) {
+  listener_->noted(
+      fmt::format("tried in {}: {}; it would {} by {:.1f} mm and leave {:.3g} J of {:.3g} J, 95 % of the "
+                  "cloth strained by {:.2f} % at most, not {:.2f} %",
+                  dart.piece, slit_text(dart.dart), dart.opens ? "open" : "lap over", 1000 * dart.opening,
+                  dart.with.energy, dart.without.energy, 100 * dart.with.p95, 100 * dart.without.p95));
+}
+
 void Workroom::note_development(const DevelopCommand& command, const Developed& developed) {
   const Flattened& flat = developed.development.flat;
   listener_->noted(fmt::format(
@@ -199,6 +230,7 @@ void Workroom::note_development(const DevelopCommand& command, const Developed& 
     listener_->noted(fmt::format("proposed for {}: {}; without it {:.3g} J and {:.2f} % would be left", dart.piece,
                                  slit_text(dart.dart), dart.without.energy, 100 * dart.without.p95));
   }
+  for (const TriedDart& dart : developed.tried) note_tried(dart);
   if (command.strain) note_strain(command, developed);
   if (flat.converged) return;
   outcome_.unsettled = true;

@@ -99,15 +99,19 @@ Json darts(const DrapedGarment& on_form, const Development& development) {
   return all;
 }
 
+/// Null where a dart has a depth instead.
+Json tip(const DraftDart& dart) {
+  return dart.tip ? Json{dart.tip->x, dart.tip->y} : Json();
+}
+
 Json json(const std::vector<ProposedDart>& proposed) {
   Json all = Json::array();
   for (const ProposedDart& each : proposed) {
-    const Vec2 tip = each.dart.tip.value_or(Vec2{});
     all.push_back({{"piece", each.piece},
                    {"dart", each.dart.name},
                    {"edge", each.dart.edge},
                    {"at_m", each.dart.at},
-                   {"tip_m", {tip.x, tip.y}},
+                   {"tip_m", tip(each.dart)},
                    {"depth_m", each.dart.depth},
                    {"without_energy_J", each.without.energy},
                    {"without_strain_p95", each.without.p95}});
@@ -120,6 +124,23 @@ Json without_each(const std::vector<ProposedDart>& darts) {
   for (const ProposedDart& each : darts) {
     all.push_back({{"piece", each.piece},
                    {"dart", each.dart.name},
+                   {"energy_J", {{"with", each.with.energy}, {"without", each.without.energy}}},
+                   {"strain_p95", {{"with", each.with.p95}, {"without", each.without.p95}}}});
+  }
+  return all;
+}
+
+Json json(const std::vector<TriedDart>& tried) {
+  Json all = Json::array();
+  for (const TriedDart& each : tried) {
+    all.push_back({{"piece", each.piece},
+                   {"dart", each.dart.name},
+                   {"edge", each.dart.edge},
+                   {"at_m", each.dart.at},
+                   {"tip_m", tip(each.dart)},
+                   {"depth_m", each.dart.depth},
+                   {"opens", each.opens},
+                   {"width_m", each.opening},
                    {"energy_J", {{"with", each.with.energy}, {"without", each.without.energy}}},
                    {"strain_p95", {{"with", each.with.p95}, {"without", each.without.p95}}}});
   }
@@ -162,8 +183,7 @@ std::string report_json(const std::string& script, const DrapedGarment& draped) 
 }
 
 std::string report_json(const std::string& script, const DrapedGarment& on_form, const Development& development,
-                        const Redrawn& redrawn, const std::vector<ProposedDart>& proposed,
-                        const std::vector<ProposedDart>& drawn, const GrainStudy& grain) {
+                        const Redrawn& redrawn, const DartStudy& study, const GrainStudy& grain) {
   const Summary summary = summarise(on_form);
   const Flattened& flat = development.flat;
   return text({{"schema", 1},
@@ -188,8 +208,9 @@ std::string report_json(const std::string& script, const DrapedGarment& on_form,
                  {"seam_mismatch_m", flat.mismatch},
                  {"outline_error_m", redrawn.error},
                  {"darts", darts(on_form, development)},
-                 {"without_each_dart", without_each(drawn)},
-                 {"darts_proposed", json(proposed)},
+                 {"without_each_dart", without_each(study.drawn)},
+                 {"darts_proposed", json(study.proposed)},
+                 {"darts_tried", json(study.tried)},
                  {"grain", json(grain)}}}});
 }
 

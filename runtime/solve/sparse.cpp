@@ -63,11 +63,15 @@ SparseMatrix SparseMatrix::reordered(const std::vector<int>& order) const {
 void SparseMatrix::fill(const std::vector<std::size_t>& start, std::vector<int>& rows) {
   column_start_ = {0};
   row_index_.clear();
+  row_index_.reserve(rows.size());
+  std::vector<std::size_t> seen(start.size(), 0);  // the last column, counted from 1, that has the row
   for (std::size_t column = 0; column + 1 < start.size(); ++column) {
     const auto begin = rows.begin() + static_cast<std::ptrdiff_t>(start[column]);
-    const auto end = rows.begin() + static_cast<std::ptrdiff_t>(start[column + 1]);
+    const auto end = std::remove_if(begin, rows.begin() + static_cast<std::ptrdiff_t>(start[column + 1]), [&](int row) {
+      return std::exchange(seen[static_cast<std::size_t>(row)], column + 1) == column + 1;
+    });
     std::sort(begin, end);
-    row_index_.insert(row_index_.end(), begin, std::unique(begin, end));
+    row_index_.insert(row_index_.end(), begin, end);
     column_start_.push_back(static_cast<int>(row_index_.size()));
   }
   values_.assign(row_index_.size(), 0.0);

@@ -1,9 +1,13 @@
 // Flattening a bust-like half ellipsoid and patches of a dress form: the development and CGAL's as-rigid-as-possible
-// parameterisation (Liu et al. 2008) on the same meshes; energy_J is that of the real cloth, of CGAL's plane at the
-// best turn. One thread each: ./dev bench, or bench_develop --benchmark_counters_tabular=true.
+// parameterisation (Liu et al. 2008) on the same meshes, and of hemispheres with darts its other parameterisations,
+// too; energy_J is that of the real cloth, of CGAL's plane at the best turn. One thread each: ./dev bench, or
+// bench_develop --benchmark_counters_tabular=true.
 #include <CGAL/Simple_cartesian.h>
 #include <CGAL/Surface_mesh.h>
 #include <CGAL/Surface_mesh_parameterization/ARAP_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Discrete_authalic_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/LSCM_parameterizer_3.h>
+#include <CGAL/Surface_mesh_parameterization/Mean_value_coordinates_parameterizer_3.h>
 #include <CGAL/Surface_mesh_parameterization/parameterize.h>
 #include <CGAL/boost/graph/iterator.h>
 #include <benchmark/benchmark.h>
@@ -12,6 +16,7 @@
 #include <algorithm>
 #include <cmath>
 #include <numbers>
+#include <type_traits>
 
 #include "compiler/evaluate/program.hpp"
 #include "compiler/pattern/draft.hpp"
@@ -121,6 +126,8 @@ FlatteningInput patch(int which, int n) {
       return on_form(over_the_shoulder(), {0, 0}, 0.07, 1, n);
     case 4:
       return test::hemisphere_with_darts(0.15, 8, n, n / 8, n / 4);
+    case 5:
+      return test::hemisphere_with_darts(0.15, 16, n, n / 16, n / 8);
     default:
       return half_ellipsoid(n);
   }
@@ -133,7 +140,7 @@ double energy_of(const FlatteningInput& input, const std::vector<Vec2>& uv, cons
     const auto target = target_triangle({at(input.target, 0), at(input.target, 1), at(input.target, 2)});
     const PlaneCorners corners{at(uv, 0), at(uv, 1), at(uv, 2)};
     if (!target || !(turn(corners) > 0)) continue;
-    const MembraneEnergy energy = flattening_energy(law, *target, corners, nullptr);
+    const MembraneEnergy energy = FlatTriangle(law, *target, corners).energy();
     sum += energy.warp + energy.weft + energy.shear;
   }
   return sum;
@@ -147,7 +154,8 @@ int flips(const FlatteningInput& input, const std::vector<Vec2>& uv) {
 }
 
 void label(benchmark::State& state) {
-  constexpr std::array<const char*, 5> names{"half ellipsoid", "bust", "hip", "shoulder", "hemisphere, 8 darts"};
+  constexpr std::array<const char*, 6> names{"half ellipsoid",      "bust", "hip", "shoulder", "hemisphere, 8 darts",
+                                             "hemisphere, 16 darts"};
   state.SetLabel(names[static_cast<std::size_t>(state.range(0))]);
 }
 
@@ -166,12 +174,41 @@ void develop(benchmark::State& state) {
   label(state);
 }
 
-void arap(benchmark::State& state) {
-  using Kernel = CGAL::Simple_cartesian<double>;
-  using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
-  namespace SMP = CGAL::Surface_mesh_parameterization;
-  const FlatteningInput input = patch(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
+/// Scaled to the area that it has in space: a conformal map has any size.
+void scale_to_area(const FlatteningInput& input, std::vector<Vec2>& plane) {
+  double flat = 0, whole = 0;
+  for (const auto& t : input.triangles) {
+    const auto at = [&](const auto& all, std::size_t k) { return all[static_cast<std::size_t>(t[k])]; };
+    flat += std::abs(turn({at(plane, 0), at(plane, 1), at(plane, 2)})) / 2;
+    const auto target = target_triangle({at(input.target, 0), at(input.target, 1), at(input.target, 2)});
+    if (target) whole += target->area;
+  }
+  for (Vec2& p : plane) p = std::sqrt(whole / flat) * p;
+}
+
+/// The least energy of the plane among its turns.
+void count_energy(benchmark::State& state, const FlatteningInput& input, const std::vector<Vec2>& plane) {
   const FabricLaw law = cotton();
+  double least = 1e300;
+  for (int turn_by = 0; turn_by < 360; ++turn_by) {
+    const Vec2 warp = direction(turn_by * pi / 180);
+    std::vector<Vec2> turned;
+    for (const Vec2 p : plane) turned.push_back({dot(p, warp), dot(p, perpendicular(warp))});
+    least = std::min(least, energy_of(input, turned, law));
+  }
+  state.counters["triangles"] = static_cast<double>(input.triangles.size());
+  state.counters["energy_J"] = least;
+  state.counters["flips"] = flips(input, plane);
+  label(state);
+}
+
+using Kernel = CGAL::Simple_cartesian<double>;
+using Mesh = CGAL::Surface_mesh<Kernel::Point_3>;
+namespace SMP = CGAL::Surface_mesh_parameterization;
+
+template <class Parameterizer>
+void by_cgal(benchmark::State& state) {
+  const FlatteningInput input = patch(static_cast<int>(state.range(0)), static_cast<int>(state.range(1)));
   Mesh mesh;
   for (const Vec3 p : input.target) mesh.add_vertex({p.x, p.y, p.z});
   for (const auto& t : input.triangles) {
@@ -182,35 +219,44 @@ void arap(benchmark::State& state) {
   for (auto _ : state) {
     const auto border =
         *std::find_if(mesh.halfedges().begin(), mesh.halfedges().end(), [&](auto h) { return mesh.is_border(h); });
-    SMP::ARAP_parameterizer_3<Mesh> parameterizer;
+    Parameterizer parameterizer;
     benchmark::DoNotOptimize(SMP::parameterize(mesh, parameterizer, border, uv));
   }
   std::vector<Vec2> plane;
   for (const auto v : mesh.vertices()) plane.push_back({uv[v].x(), uv[v].y()});
-  double least = 1e300;
-  int flipped = 0;
-  for (int turn_by = 0; turn_by < 360; ++turn_by) {
-    const Vec2 warp = direction(turn_by * pi / 180);
-    std::vector<Vec2> turned;
-    for (const Vec2 p : plane) turned.push_back({dot(p, warp), dot(p, perpendicular(warp))});
-    flipped = flips(input, turned);
-    least = std::min(least, energy_of(input, turned, law));
-  }
-  state.counters["triangles"] = static_cast<double>(input.triangles.size());
-  state.counters["energy_J"] = least;
-  state.counters["flips"] = flipped;
-  label(state);
+  if (!std::is_same_v<Parameterizer, SMP::ARAP_parameterizer_3<Mesh>>) scale_to_area(input, plane);
+  count_energy(state, input, plane);
+}
+
+void arap(benchmark::State& state) {
+  by_cgal<SMP::ARAP_parameterizer_3<Mesh>>(state);
+}
+void least_squares_conformal(benchmark::State& state) {
+  by_cgal<SMP::LSCM_parameterizer_3<Mesh>>(state);
+}
+void mean_values(benchmark::State& state) {
+  by_cgal<SMP::Mean_value_coordinates_parameterizer_3<Mesh>>(state);
+}
+void authalic(benchmark::State& state) {
+  by_cgal<SMP::Discrete_authalic_parameterizer_3<Mesh>>(state);
 }
 
 void sizes(benchmark::internal::Benchmark* bench) {
   for (const int which : {0, 1, 2, 3}) {
     for (const int n : {16, 26, 58, 129}) bench->Args({which, n});
   }
-  bench->Args({4, 32});
+  bench->Args({4, 32})->Args({5, 48});
   bench->Unit(benchmark::kMillisecond);
 }
 BENCHMARK(develop)->Apply(sizes);
 BENCHMARK(arap)->Apply(sizes);
+
+void hemispheres(benchmark::internal::Benchmark* bench) {
+  bench->Args({4, 32})->Args({5, 48})->Unit(benchmark::kMillisecond);
+}
+BENCHMARK(least_squares_conformal)->Apply(hemispheres);
+BENCHMARK(mean_values)->Apply(hemispheres);
+BENCHMARK(authalic)->Apply(hemispheres);
 
 }  // namespace
 }  // namespace toile

@@ -108,7 +108,7 @@ class RandomScript : private RandomExpression {
   }
   void words_and_properties() {
     put("{ ");
-    constexpr const char* lone[] = {"trued", "pressed left", "box", "inverted", "pressed open", "knife"};
+    constexpr const char* lone[] = {"trued", "tried", "pressed left", "box", "inverted", "pressed open", "knife"};
     put(lone[below(6)]);
     comma();
     put("depth ");

@@ -64,15 +64,14 @@ TEST_P(FlatteningOf, HasTheGradientAndHessianOfItsEnergy) {
   for (const FabricLaw& law : {wool(), test::orthotropic(2000, 700, 60)}) {
     for (int round = 0; round < 40; ++round) {
       const Case c = random_case(random, GetParam());
-      Vector6 gradient;
-      flattening_energy(law, c.target, c.uv, &gradient);
-      const Matrix6 hessian = flattening_hessian(law, c.target, c.uv, Curvature::Full);
+      const FlatTriangle flat(law, c.target, c.uv);
+      const Vector6 gradient = flat.gradient();
+      const Matrix6 hessian = flat.hessian(Curvature::Full);
       for (Index i = 0; i < 6; ++i) {
-        Vector6 ahead, behind;
-        const double more = sum(flattening_energy(law, c.target, moved(c.uv, i, h), &ahead));
-        const double less = sum(flattening_energy(law, c.target, moved(c.uv, i, -h), &behind));
+        const FlatTriangle ahead(law, c.target, moved(c.uv, i, h)), behind(law, c.target, moved(c.uv, i, -h));
+        const double more = sum(ahead.energy()), less = sum(behind.energy());
         EXPECT_NEAR((more - less) / (2 * h), gradient[i], 1e-5 * gradient.norm() + 1e-3 * h * hessian.norm());
-        const Vector6 slope = (ahead - behind) / (2 * h);
+        const Vector6 slope = (ahead.gradient() - behind.gradient()) / (2 * h);
         EXPECT_LT((slope - hessian.col(i)).norm(), 1e-4 * hessian.norm()) << slope << "\n\n" << hessian.col(i);
       }
     }
@@ -84,10 +83,10 @@ TEST_P(FlatteningOf, HasADefinitePartThatIsTheWholeWhereThatIsDefinite) {
   const FabricLaw law = wool();
   for (int round = 0; round < 40; ++round) {
     const Case c = random_case(random, GetParam());
-    const Matrix6 part = flattening_hessian(law, c.target, c.uv, Curvature::PositiveDefinite);
+    const Matrix6 part = FlatTriangle(law, c.target, c.uv).hessian(Curvature::PositiveDefinite);
     const Vector values = spectrum(part).values;
     EXPECT_GT(values[0], -1e-9 * values[5]);
-    const Matrix6 whole = flattening_hessian(law, c.target, c.uv, Curvature::Full);
+    const Matrix6 whole = FlatTriangle(law, c.target, c.uv).hessian(Curvature::Full);
     if (GetParam() == 0) {
       EXPECT_LT((whole - part).norm(), 1e-9 * whole.norm());
     }
@@ -99,7 +98,7 @@ INSTANTIATE_TEST_SUITE_P(SmallAndLargeStrains, FlatteningOf, testing::Values(0.0
 TEST(Flattening, GivesTheStrainOfTheMembrane) {
   std::mt19937 random(3);
   const Case c = random_case(random, 0.1);
-  const MembraneStrain strain = flattening_strain(c.target, c.uv);
+  const MembraneStrain strain = FlatTriangle(wool(), c.target, c.uv).strain();
   const auto corner = [&](double x, double y) { return Vector3(x, y, 0); };
   const Eigen::Matrix2d& sides = c.target.sides;
   const MembraneStrain same = membrane_strain(
@@ -114,7 +113,7 @@ TEST(Flattening, CostsWithoutBoundAsATriangleShrinksToALine) {
   double before = 0;
   for (const double height : {0.01, 1e-4, 1e-6, 1e-8}) {
     const PlaneCorners uv{Vec2{0, 0}, Vec2{0.01, 0}, Vec2{0.005, height}};
-    const double energy = sum(flattening_energy(wool(), target, uv, nullptr));
+    const double energy = sum(FlatTriangle(wool(), target, uv).energy());
     EXPECT_GT(energy, 3 * before);
     before = energy;
   }
