@@ -11,7 +11,7 @@ char lower(char c) {
 }
 
 constexpr std::size_t longest_compared = 64;  // names beyond this are no typing slips
-constexpr std::size_t longest_listed = 12;
+constexpr std::size_t longest_listed = 16;
 
 }  // namespace
 
