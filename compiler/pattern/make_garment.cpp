@@ -134,6 +134,7 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   if (findings.errors() == 0) check_ties(draft, garment, findings);
   if (findings.errors() == 0) check_gaps(garment, findings);
   if (findings.errors() == 0) check_quantities(garment, findings);
+  if (findings.errors() == 0) check_worn_sides(draft, garment, corners, findings);
   add_tied_notches(garment.seams, garment.pieces);
   return garment;
 }

@@ -115,6 +115,12 @@ void add_tied_notches(const std::vector<Seam>& seams, std::vector<Piece>& pieces
 std::set<std::size_t> check_sewn_once(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                                       const std::vector<Piece>& pieces, Findings& findings);
 void check_worn_once(const std::vector<Wear>& wears, const std::vector<Piece>& pieces, Findings& findings);
+/// [m] Along a worn chain to the middle of the edge named first, which comes to the front: its mirrored copy included,
+/// and its parts between darts.
+double worn_centre(const std::vector<Piece>& pieces, const Chain& chain, bool closed);
+/// Warns of a copy that is worn on the other side of the body than that where it is sewn, and of a back worn in front.
+void check_worn_sides(const DraftGarment& draft, const Garment& garment, const SewnCorners& corners,
+                      Findings& findings);
 /// The two sides of a seam are equally long within half a millimetre or a thousandth, or differ as the script allows.
 void check_lengths(const DraftGarment& draft, const std::vector<std::vector<Seam>>& seams,
                    const std::vector<Piece>& pieces, const std::set<std::size_t>& told, Findings& findings);

@@ -46,7 +46,25 @@ void report_break(const DraftWear& draft, const std::vector<FoundEdge>& edges, c
                  std::move(labels), std::move(help));
 }
 
+/// Parts of an edge between darts, and its mirrored copy.
+bool same_drawn_edge(const std::vector<Piece>& pieces, const ChainLink& a, const ChainLink& b) {
+  const Piece &first = pieces[a.edge.piece], &second = pieces[b.edge.piece];
+  return first.drawn_name == second.drawn_name && first.edge(a.edge.edge).name == second.edge(b.edge.edge).name;
+}
+
 }  // namespace
+
+double worn_centre(const std::vector<Piece>& pieces, const Chain& chain, bool closed) {
+  double before = 0, after = 0;
+  std::size_t count = 0;
+  while (count < chain.size() && same_drawn_edge(pieces, chain[0], chain[count])) {
+    after += length(pieces, {chain[count++]});
+  }
+  for (std::size_t i = chain.size(); closed && i > count && same_drawn_edge(pieces, chain[0], chain[i - 1]); --i) {
+    before += length(pieces, {chain[i - 1]});
+  }
+  return (after - before) / 2;
+}
 
 std::vector<Wear> resolve_wears(const DraftGarment& draft, const std::vector<Piece>& pieces,
                                 const std::vector<std::vector<Seam>>& seams, const SewnCorners& corners, bool complete,

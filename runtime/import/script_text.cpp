@@ -5,6 +5,7 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
+#include <functional>
 #include <iterator>
 #include <string_view>
 
@@ -141,14 +142,21 @@ class Writer {
     put("\n");
   }
 
-  /// The source marks edges that its simulation holds at the waist.
+  /// The source marks edges that its simulation holds at the waist. The one named first comes to the front.
   void write_wear() {
-    std::vector<std::string> held;
+    std::vector<ForeignEnd> ends;
     for (std::size_t i = 0; i < pattern_.panels.size(); ++i) {
       for (std::size_t e = 0; e < pattern_.panels[i].edges.size(); ++e) {
-        if (pattern_.panels[i].edges[e].label == waist_label && !is_sewn({i, e})) held.push_back(end_name({i, e}));
+        if (pattern_.panels[i].edges[e].label == waist_label && !is_sewn({i, e})) ends.push_back({i, e});
       }
     }
+    const auto in_front = [&](const ForeignEnd& end) {
+      const auto& placement = pattern_.panels[end.panel].placement;
+      return placement ? placement->translation[2] : 0.0;
+    };
+    std::ranges::stable_sort(ends, std::greater<>(), in_front);
+    std::vector<std::string> held;
+    for (const ForeignEnd& end : ends) held.push_back(end_name(end));
     if (!held.empty()) put("\nwear {} at form.waist\n", fmt::join(held, " + "));
   }
 
