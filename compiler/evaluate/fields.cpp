@@ -25,7 +25,10 @@ struct Access {
 
 /// A definition inside of a module, garment, piece, hole or line.
 Value defined_in(const Access& access, const Scope& scope, const std::string& owner, const std::string& code) {
-  if (Definition* definition = scope.own(access.text)) return force(access.session, *definition);
+  if (Definition* definition = scope.own(access.text)) {
+    definition->used = true;
+    return force(access.session, *definition);
+  }
   return access.unknown(owner + " has no `" + access.text + "`", scope.own_names(), code);
 }
 

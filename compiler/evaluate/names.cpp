@@ -163,6 +163,7 @@ Value look_up(Session& session, const Scope& scope, const syntax::Token& name, W
   const Builtin* builtin = find_builtin(text);
   const Scope* where = nullptr;
   if (Definition* definition = scope.find(text, &where, wish == Wish::Curve)) {
+    definition->used = true;
     Value value = value_of(session, *definition, *where);
     if (wish != Wish::Function || builtin == nullptr || callable(value)) return value;
   }

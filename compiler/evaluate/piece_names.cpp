@@ -193,8 +193,9 @@ void define_piece_names(Session& session, PieceInstance& piece) {
   }
   for (const syntax::Let& let : piece.plan.lets) {
     const Scope& scope = piece.scope_of(let);
-    define(session, *piece.scope, scope.module(), let.name(),
-           [&session, &scope, expr = let.value()] { return evaluate(session, scope, expr); });
+    Definition* made = define(session, *piece.scope, scope.module(), let.name(),
+                              [&session, &scope, expr = let.value()] { return evaluate(session, scope, expr); });
+    if (made != nullptr) made->is_let = true;
   }
   for (const syntax::Solve& solve : piece.plan.solves) {
     define_solve(session, *piece.scope, piece.scope_of(solve), solve);

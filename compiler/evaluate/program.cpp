@@ -8,6 +8,7 @@
 #include "compiler/evaluate/definitions.hpp"
 #include "compiler/evaluate/modules.hpp"
 #include "compiler/evaluate/sizes.hpp"
+#include "compiler/evaluate/unused.hpp"
 #include "grammar/emit.hpp"
 #include "grammar/parse.hpp"
 
@@ -32,6 +33,7 @@ class LoadedProgram final : public Program {
     report_unused_settings(session_);
     commands_.check();
     report_unused_size(session_);
+    report_unused_lets(session_);
   }
 
   const Sources& sources() const override { return session_.sources; }

@@ -30,6 +30,8 @@ struct Definition {
   /// Made from values that were tried by solves at this depth or deeper: good for the try of that number alone.
   std::optional<std::size_t> depends_on_try;
   long made_in_try = 0;
+  bool is_let = false;            // of a piece
+  bool used = false;              // by what was evaluated or checked so far
   bool yields = false;            // an edge: a value of that name outside of its piece comes before it
   std::optional<Value> supposed;  // as a branch that is not taken sees it (definitions within a call)
 };
