@@ -104,17 +104,25 @@ Json tip(const DraftDart& dart) {
   return dart.tip ? Json{dart.tip->x, dart.tip->y} : Json();
 }
 
+/// Where on its piece a dart opens, and how deep it goes.
+Json place_of(const std::string& piece, const DraftDart& dart) {
+  return {{"piece", piece},  {"dart", dart.name},  {"edge", dart.edge},
+          {"at_m", dart.at}, {"tip_m", tip(dart)}, {"depth_m", dart.depth}};
+}
+
+/// What the piece costs with the dart and without it.
+void add_gain(Json& row, const ResidualStrain& with, const ResidualStrain& without) {
+  row["energy_J"] = {{"with", with.energy}, {"without", without.energy}};
+  row["strain_p95"] = {{"with", with.p95}, {"without", without.p95}};
+}
+
 Json json(const std::vector<ProposedDart>& proposed) {
   Json all = Json::array();
   for (const ProposedDart& each : proposed) {
-    all.push_back({{"piece", each.piece},
-                   {"dart", each.dart.name},
-                   {"edge", each.dart.edge},
-                   {"at_m", each.dart.at},
-                   {"tip_m", tip(each.dart)},
-                   {"depth_m", each.dart.depth},
-                   {"without_energy_J", each.without.energy},
-                   {"without_strain_p95", each.without.p95}});
+    Json row = place_of(each.piece, each.dart);
+    row["without_energy_J"] = each.without.energy;
+    row["without_strain_p95"] = each.without.p95;
+    all.push_back(std::move(row));
   }
   return all;
 }
@@ -122,10 +130,9 @@ Json json(const std::vector<ProposedDart>& proposed) {
 Json without_each(const std::vector<ProposedDart>& darts) {
   Json all = Json::array();
   for (const ProposedDart& each : darts) {
-    all.push_back({{"piece", each.piece},
-                   {"dart", each.dart.name},
-                   {"energy_J", {{"with", each.with.energy}, {"without", each.without.energy}}},
-                   {"strain_p95", {{"with", each.with.p95}, {"without", each.without.p95}}}});
+    Json row = {{"piece", each.piece}, {"dart", each.dart.name}};
+    add_gain(row, each.with, each.without);
+    all.push_back(std::move(row));
   }
   return all;
 }
@@ -133,16 +140,11 @@ Json without_each(const std::vector<ProposedDart>& darts) {
 Json json(const std::vector<TriedDart>& tried) {
   Json all = Json::array();
   for (const TriedDart& each : tried) {
-    all.push_back({{"piece", each.piece},
-                   {"dart", each.dart.name},
-                   {"edge", each.dart.edge},
-                   {"at_m", each.dart.at},
-                   {"tip_m", tip(each.dart)},
-                   {"depth_m", each.dart.depth},
-                   {"opens", each.opens},
-                   {"width_m", each.opening},
-                   {"energy_J", {{"with", each.with.energy}, {"without", each.without.energy}}},
-                   {"strain_p95", {{"with", each.with.p95}, {"without", each.without.p95}}}});
+    Json row = place_of(each.piece, each.dart);
+    row["opens"] = each.opens;
+    row["width_m"] = each.opening;
+    add_gain(row, each.with, each.without);
+    all.push_back(std::move(row));
   }
   return all;
 }
