@@ -18,11 +18,13 @@ namespace {
 using Heading = std::complex<double>;  // about the wearer: 1 is the front and i the wearer's left
 using LinkKey = std::pair<int, int>;
 
-constexpr double kClear = 0.2;  // of what is summed, beyond which a sum of directions says something
-constexpr int kSamples = 8;     // of an edge
+constexpr double clear_direction = 0.2;  // of what is summed, beyond which a sum of directions says something
+constexpr int samples_of_edge = 8;
+constexpr double back_to_front = 0.375;  // of a turn, beyond which the back is rather in front than at a side
+constexpr double least_spread = 1e-3;    // [m] between places of a piece that tell a direction
 
-// A point of a piece, and where it comes to lie: as a fraction of a turn from the front to the left, running on from
-// one point to the next.
+/// A point of a piece, and where it comes to lie: as a fraction of a turn from the front to the left, running on from
+/// one point to the next.
 struct Sighting {
   Vec2 at;
   Side side = Side::Drawn;
@@ -41,7 +43,7 @@ LinkKey link_key(const ChainLink& link) {
   return {link.edge.piece, link.edge.edge};
 }
 
-// The side of the body that a line of a limb is on: +1 the left, -1 the right, 0 for a line of the trunk.
+/// The side of the body that a line of a limb is on: +1 the left, -1 the right, 0 for a line of the trunk.
 int limb_side(const std::string& line) {
   if (line.starts_with("left_")) return 1;
   return line.starts_with("right_") ? -1 : 0;
@@ -62,7 +64,7 @@ bool has_word(std::string_view name, std::string_view wanted) {
   return false;
 }
 
-// On the fold, or one of a pair.
+/// On the fold, or one of a pair.
 bool has_copies(const Garment& garment, const Piece& piece) {
   const auto other = [&](const Piece& each) { return &each != &piece && each.drawn_name == piece.drawn_name; };
   return piece.fold || std::ranges::any_of(garment.pieces, other);
@@ -83,8 +85,8 @@ class WearerSides {
     }
   }
 
-  // By how much a line that is worn lies round the body from where the names of its pieces say: as a fraction of a
-  // turn.
+  /// By how much a line that is worn lies round the body from where the names of its pieces say: as a fraction of a
+  /// turn.
   std::optional<double> off_by_names() const {
     Heading sum;
     double fronts = 0, backs = 0;
@@ -95,11 +97,11 @@ class WearerSides {
       for (const Sighting& each : seen_[p]) sum += front ? heading(each.fraction) : -heading(each.fraction);
       (front ? fronts : backs) += static_cast<double>(seen_[p].size());
     }
-    if (fronts == 0 || backs == 0 || std::abs(sum) < kClear * (fronts + backs)) return std::nullopt;
+    if (fronts == 0 || backs == 0 || std::abs(sum) < clear_direction * (fronts + backs)) return std::nullopt;
     return std::arg(sum) / (2 * std::numbers::pi);
   }
 
-  // The body turns a ring so that its armholes lie at the arms.
+  /// The body turns a ring so that its armholes lie at the arms.
   void turn_by(double fraction) {
     for (std::vector<Sighting>& piece : seen_) {
       for (Sighting& each : piece) each.fraction += fraction;
@@ -109,7 +111,7 @@ class WearerSides {
   bool knows(PieceId piece) const { return !seen_[piece].empty(); }
   bool is_worn(PieceId piece) const { return worn_[piece]; }
 
-  // The direction of a copy of a piece, times how clear it is.
+  /// The direction of a copy of a piece, times how clear it is.
   Heading of(const ChainLink& link) const {
     const Piece& piece = garment_.pieces[link.edge.piece];
     const std::vector<Sighting>& seen = seen_[link.edge.piece];
@@ -129,11 +131,11 @@ class WearerSides {
   }
 
  private:
-  // Between the places that lie farthest round, evenly; none where these are one.
+  /// Between the places that lie farthest round, evenly; none where these are one.
   static std::optional<double> fraction_at(const std::vector<Sighting>& seen, Vec2 place) {
     const auto [low, high] = std::ranges::minmax_element(seen, {}, &Sighting::fraction);
     const Vec2 way = high->at - low->at;
-    if (norm(way) < 1e-3) return std::nullopt;
+    if (norm(way) < least_spread) return std::nullopt;
     const double t = std::clamp(dot(place - low->at, way) / dot(way, way), 0.0, 1.0);
     return low->fraction + t * (high->fraction - low->fraction);
   }
@@ -144,7 +146,7 @@ class WearerSides {
     seen_[link.edge.piece].push_back({at, edge.side, fraction});
   }
 
-  // Walked with its cloth on the left, what hangs down runs from the wearer's left over the front to the right.
+  /// Walked with its cloth on the left, what hangs down runs from the wearer's left over the front to the right.
   void see(const Wear& wear, const SewnCorners& corners) {
     const double whole = length(garment_.pieces, wear.chain);
     double forwards = 0, before = 0;
@@ -160,15 +162,15 @@ class WearerSides {
     while (closed && last > 0 && on_first(wear.chain[last - 1])) --last;
     for (std::size_t l = 0; l < wear.chain.size(); ++l) {
       const double own = length(garment_.pieces, {wear.chain[l]}), round = l >= last && last > 0 ? whole : 0;
-      for (int i = 0; i <= kSamples; ++i) {
-        const double along = static_cast<double>(i) / kSamples;
+      for (int i = 0; i <= samples_of_edge; ++i) {
+        const double along = static_cast<double>(i) / samples_of_edge;
         add(wear.chain[l], along, wear.from + way * (before + along * own - centre - round) / whole);
       }
       before += own;
     }
   }
 
-  // What is sewn to a piece that is worn, as a bodice to its collar, lies where that does.
+  /// What is sewn to a piece that is worn, as a bodice to its collar, lies where that does.
   void carry(const Chain& from, const Chain& to, const std::vector<std::vector<Sighting>>& worn) {
     const auto known = [&](const ChainLink& link) { return !worn[link.edge.piece].empty(); };
     if (!std::ranges::all_of(from, known) || std::ranges::any_of(to, known)) return;
@@ -176,8 +178,8 @@ class WearerSides {
     double before = 0;
     for (const ChainLink& link : to) {
       const double own = length(garment_.pieces, {link});
-      for (int i = 0; i <= kSamples; ++i) {
-        const double along = static_cast<double>(i) / kSamples;
+      for (int i = 0; i <= samples_of_edge; ++i) {
+        const double along = static_cast<double>(i) / samples_of_edge;
         const auto fraction = along_chain(from, (before + along * own) / second * first, worn);
         if (fraction) add(link, along, *fraction);
       }
@@ -208,12 +210,11 @@ class WearerSides {
 std::string worn_name(const Garment& garment, const ChainLink& link) {
   const Piece& piece = garment.pieces[link.edge.piece];
   const PieceEdge& edge = piece.edge(link.edge.edge);
-  const std::string name = piece.drawn_name + "." + edge.name;
-  if (!has_copies(garment, piece)) return name;
-  return name + (edge.side == Side::Mirrored ? ".mirrored" : ".drawn");
+  const char* copy = edge.side == Side::Mirrored ? ".mirrored" : ".drawn";
+  return piece.drawn_name + "." + edge.name + (has_copies(garment, piece) ? copy : "");
 }
 
-// What a worn line is sewn to: the piece's own place where that is known, else its neighbours'.
+/// What a worn line is sewn to: the piece's own place where that is known, else its neighbours'.
 struct SideEvidence {
   Heading sum;
   double length = 0;
@@ -238,7 +239,7 @@ class WornSidesCheck {
     if (const std::optional<double> off = sides_.off_by_names()) {
       if (turned) {
         sides_.turn_by(-*off);
-      } else if (std::abs(*off) > 0.375) {
+      } else if (std::abs(*off) > back_to_front) {
         return report_back_in_front();
       }
     }
@@ -251,7 +252,7 @@ class WornSidesCheck {
       if (told.contains(limb)) continue;
       const SideEvidence evidence = evidence_of(wear);
       const double across = evidence.length > 0 ? evidence.sum.imag() / evidence.length : 0;
-      if (across * side < -kClear) {
+      if (across * side < -clear_direction) {
         report(draft_.wears[w], wear, side, evidence);
         told.insert(limb);
       } else if (report_unsewn(wear)) {
@@ -287,7 +288,7 @@ class WornSidesCheck {
     return evidence;
   }
 
-  // Copies exchanged where the script names copies, else the other line.
+  /// Copies exchanged where the script names copies, else the other line.
   std::string remedy(const DraftWear& draft, const Wear& wear, int side) const {
     const std::string limb = wear.line.substr(wear.line.find('_') + 1);
     const auto stated = [](const DraftEdgeRef& each) { return each.side.has_value(); };
@@ -318,7 +319,7 @@ class WornSidesCheck {
         std::move(labels), remedy(draft, wear, side));
   }
 
-  // One copy of a piece is sewn there, the other one to nothing.
+  /// One copy of a piece is sewn there, the other one to nothing.
   bool report_unsewn(const Wear& wear) {
     for (const ChainLink& link : wear.chain) {
       if (sewn_.contains(link_key(link))) continue;
@@ -345,8 +346,7 @@ class WornSidesCheck {
   }
 
   void report_back_in_front() {
-    for (std::size_t w = 0; w < garment_.wears.size(); ++w) {
-      const Wear& wear = garment_.wears[w];
+    for (const Wear& wear : garment_.wears) {
       if (limb_side(wear.line) != 0) continue;
       findings_.warning("W0341", fmt::format("the back is worn in front at `{}`", wear.line),
                         {{wear.written, "the middle of the edge named first comes to the front"}},

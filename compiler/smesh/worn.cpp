@@ -5,6 +5,7 @@
 #include "compiler/pattern/sewing.hpp"
 
 namespace toile {
+
 std::vector<SMesh::WornLine> find_worn_lines(const Garment& garment, const PMesh& p, const SMesh& s) {
   std::vector<SMesh::WornLine> lines;
   for (int w = 0; w < static_cast<int>(garment.wears.size()); ++w) {
