@@ -52,6 +52,9 @@ Value wrong_dimensions(Session& session, Kind op, const Operand& left, const Ope
   } else if (one_is_plain && (a == dimension::angle || b == dimension::angle)) {
     problem.help("every angle has its unit: `12deg` or `0.2rad`");
   }
+  // A unit that was forgotten is missing where the name is defined.
+  const Operand& plain = a.plain() ? left : right;
+  if (one_is_plain && plain.defined) problem.also(*plain.defined, "defined here");
   session.report.add(problem);
   return Unknown{};
 }

@@ -1,6 +1,8 @@
 // Operators on values: what they mean for each pair of kinds, and what dimension comes out.
 #pragma once
 
+#include <optional>
+
 #include "compiler/evaluate/session.hpp"
 #include "compiler/evaluate/value.hpp"
 #include "grammar/kinds.hpp"
@@ -11,6 +13,7 @@ namespace toile {
 struct Operand {
   const Value& value;
   Location at;
+  std::optional<Location> defined = std::nullopt;  // of a name
 };
 
 /// `+ - * / ^ < <= > >= == !=`; `and` and `or` are the evaluator's, which need not look at their right side.

@@ -114,8 +114,9 @@ std::optional<double> arc_length_at(Session& session, const Curve& curve, const 
   session.report.add(Problem("E0209", s < 0 ? fmt::format("{} is negative: places count from the beginning", wanted)
                                             : fmt::format("{} is beyond {}", wanted, whose))
                          .at(at)
-                         .help(fraction ? "a fraction lies between 0 % and 100 %"
-                                        : "it is " + format_quantity(whole, dimension::length) + " long"));
+                         .help(fraction
+                                   ? "a fraction lies between 0 % and 100 %, a length has its unit: `55%` or `18cm`"
+                                   : "it is " + format_quantity(whole, dimension::length) + " long"));
   return std::nullopt;
 }
 

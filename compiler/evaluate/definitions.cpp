@@ -69,10 +69,15 @@ class ParamReader {
     if (fallback.unknown() || low_.unknown() || high_.unknown()) return false;
     for (const auto& [end, expr] : {std::pair(low_, low_expr), std::pair(high_, high_expr)}) {
       if (alike(end, fallback) && end.as<Quantity>() != nullptr) continue;
+      const auto* given = fallback.as<Quantity>();
+      const auto* limit = end.as<Quantity>();
+      const bool no_unit =
+          given != nullptr && limit != nullptr && given->dimension.plain() && limit->dimension == dimension::length;
       session_.report.add(Problem("E0201", fmt::format("the range of `{}` is {}, and its default is {}", full_name_,
                                                        describe(end), describe(fallback)))
                               .at(module_.at(*expr), describe(end))
-                              .at(module_.at(*written_.value()), describe(fallback)));
+                              .at(module_.at(*written_.value()), describe(fallback))
+                              .help(no_unit ? "every length has its unit: `2cm`, not `2`" : ""));
       misfits_ = true;
       return false;
     }

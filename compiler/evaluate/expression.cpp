@@ -137,7 +137,16 @@ class Evaluation {
     if (op->kind() == Kind::KwAnd || op->kind() == Kind::KwOr) return logical(op->kind(), *left, *right);
     const Value a = value(left);
     const Value b = value(right);
-    return apply_binary(session_, op->kind(), {a, at(*left)}, {b, at(*right)}, at(expr));
+    return apply_binary(session_, op->kind(), {a, at(*left), defined(*left)}, {b, at(*right), defined(*right)},
+                        at(expr));
+  }
+
+  /// Where a name that stands alone is defined.
+  std::optional<Location> defined(const syntax::Expr& expr) const {
+    const auto ref = syntax::as<syntax::NameRef>(expr);
+    if (!ref || !ref->name()) return std::nullopt;
+    const Definition* found = scope_.find(session_.text(module_, *ref->name()));
+    return found == nullptr ? std::nullopt : std::optional(found->at);
   }
 
   Value logical(Kind op, const syntax::Expr& left, const syntax::Expr& right) {

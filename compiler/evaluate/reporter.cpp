@@ -58,11 +58,14 @@ bool Reporter::touches_a_slip(const Diagnostic& diagnostic) const {
   constexpr std::uint32_t beside = 1;  // a comma between the two
   const auto is_slip = [](const Diagnostic& each) { return each.code.starts_with("E00"); };
   if (is_slip(diagnostic)) return false;
-  const Location own = place(diagnostic);
-  return std::ranges::any_of(all_, [&](const Diagnostic& each) {
-    const Location at = place(each);
-    return is_slip(each) && at.file == own.file && at.span.begin <= own.span.end + beside &&
-           own.span.begin <= at.span.end && own.span.end <= at.span.begin + beside;
+  // Either side of a sum may be what was not understood.
+  return std::ranges::any_of(diagnostic.labels, [&](const Label& label) {
+    const Location own = label.at;
+    return label.primary && std::ranges::any_of(all_, [&](const Diagnostic& each) {
+             const Location at = place(each);
+             return is_slip(each) && at.file == own.file && at.span.begin <= own.span.end + beside &&
+                    own.span.begin <= at.span.end && own.span.end <= at.span.begin + beside;
+           });
   });
 }
 

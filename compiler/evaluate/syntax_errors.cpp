@@ -165,6 +165,7 @@ std::string meant(const Source& source, const SyntaxError& error) {
     return "of a chain only the last edge may be a part: sew the others in seams of their own";
   }
   if (expects(error, "`:`") && !is_word(found)) return "an argument is given by its name with a colon: `waist: 68cm`";
+  if (found == ":" && expects(error, "`=`")) return "what stands for a name follows behind `=`";
   if (found == "=" && expects(error, "an operator")) return "two values are compared with `==`";
   const bool decimal = found == "," && error.span.begin > 0 && error.span.end < all.size() &&
                        std::isdigit(static_cast<unsigned char>(all[error.span.begin - 1])) != 0 &&

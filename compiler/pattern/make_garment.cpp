@@ -126,10 +126,10 @@ Garment made_of(const DraftGarment& draft, Findings& findings) {
   // What hangs together can only be judged when all pieces and seams are known.
   const bool complete = findings.errors() == 0;
   if (complete) check_sides(draft, seams, garment.pieces, findings);
+  check_lengths(draft, seams, garment.pieces, told, findings);
   garment.wears = resolve_wears(draft, garment.pieces, seams, corners, findings.errors() == 0, findings);
   garment.arrangements = resolve_arrangements(draft, garment.pieces);
   check_worn_once(garment.wears, garment.pieces, findings);
-  check_lengths(draft, seams, garment.pieces, told, findings);
   // What follows would only repeat that something is sewn wrongly.
   if (findings.errors() == 0) check_ties(draft, garment, findings);
   if (findings.errors() == 0) check_gaps(garment, findings);
